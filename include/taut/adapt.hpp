@@ -1,0 +1,79 @@
+// The door: a mesh and a metric in, a mesh that is unit in the metric out.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/error.hpp"
+#include "taut/mesh.hpp"
+#include "taut/metric.hpp"
+#include "taut/quality.hpp"
+
+namespace taut {
+
+/// What may change on the boundary and on the faces between regions.
+enum class Surface {
+  adapt,  ///< planar patches are remeshed; patches that are not planar stay as they are
+  fixed,  ///< every triangle of the input stays as it is
+};
+
+/// One round of the adaptation, as reported to the progress callback after each pass.
+struct Progress {
+  int round = 0;
+  const char* pass = "";  ///< "insert", "collapse", "swap", "relocate"
+  std::size_t vertices = 0, tetrahedra = 0;
+  std::size_t accepted = 0;  ///< operations done by this pass
+};
+
+/// Called after each pass; returning false ends the adaptation with the mesh as it is then, which is valid.
+using ProgressCallback = std::function<bool(const Progress&)>;
+
+struct AdaptOptions {
+  Surface surface = Surface::adapt;
+  double hmin = 0;                                        ///< no wanted size below it
+  double hmax = std::numeric_limits<double>::infinity();  ///< no wanted size above it
+  std::optional<double> gradation;  ///< sizes grow by at most this factor (> 1) per unit length; none: as given
+  double ridge_angle = 45;          ///< degrees between the normals of two triangles from which their edge is a ridge
+  int passes = 40;  ///< rounds of insertion, collapse, swaps and relocation at most; it ends before if nothing gains
+  ProgressCallback progress;
+};
+
+/// Operations of one kind over the whole run: how many were looked at, and what became of them.
+struct PassReport {
+  std::string name;
+  std::size_t scanned = 0;                                   ///< tetrahedra, or vertices for relocation, looked at
+  std::size_t tried = 0;                                     ///< operations proposed and judged
+  std::size_t accepted = 0;                                  ///< operations done
+  std::vector<std::pair<std::string, std::size_t>> refused;  ///< count by reason
+  double seconds = 0;
+};
+
+struct Report {
+  std::size_t rounds = 0;
+  bool cancelled = false;
+  std::vector<PassReport> passes;
+  std::vector<std::pair<std::string, double>> seconds;  ///< phases outside the passes: setup, gradation, order, ...
+  std::size_t reoriented = 0;                           ///< inverted tetrahedra of the input that were turned round
+  std::size_t triangles_built = 0;                      ///< boundary and interface triangles missing from the input
+  std::size_t triangles_frozen = 0;                     ///< triangles on patches that are not planar, kept as they are
+  std::uint64_t hash = 0;                               ///< of the final mesh: equal hashes, equal bits
+  Quality quality;                                      ///< of the result in the metric it was adapted to
+};
+
+struct AdaptResult {
+  static constexpr Index gone = std::numeric_limits<Index>::max();
+  Mesh mesh;
+  Tensors metric;                 ///< at the points of `mesh`
+  std::vector<Index> new_of_old;  ///< for each point of the input its index in `mesh`, or `gone`
+  Report report;
+};
+
+/// Adapts `mesh` to `metric` (Dobrzynski and Frey 2008, sections 3 and 4; the metric is interpolated on the input mesh,
+/// log-Euclidean, or called). Throws InputError if the mesh, the metric or the options cannot be used.
+[[nodiscard]] AdaptResult adapt(const Mesh& mesh, const Metric& metric, const AdaptOptions& options = {});
+
+}  // namespace taut

@@ -1,0 +1,39 @@
+// The mesh as users hold it: plain arrays, zero-based, nothing derived.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace taut {
+
+using Index = std::uint32_t;
+using Point = std::array<double, 3>;
+
+/// A tetrahedral mesh with its marked lower-dimensional entities.
+///
+/// Every `*_refs` array is either empty (all references 0) or as long as the array it belongs to. A tetrahedron is
+/// positively oriented when det(p1-p0, p2-p0, p3-p0) > 0. Boundary triangles are oriented outward where they have one
+/// tetrahedron; a triangle between two regions may have either orientation.
+struct Mesh {
+  std::vector<Point> points;  ///< coordinates
+  std::vector<int> point_refs;
+
+  std::vector<std::array<Index, 4>> tetrahedra;
+  std::vector<int> tetrahedron_refs;  ///< the region of each tetrahedron
+
+  std::vector<std::array<Index, 3>> triangles;  ///< boundary faces and faces between regions
+  std::vector<int> triangle_refs;               ///< the surface patch of each triangle
+
+  std::vector<std::array<Index, 2>> edges;  ///< feature lines
+  std::vector<int> edge_refs;
+
+  std::vector<Index> corners;              ///< points that stay where they are
+  std::vector<Index> required_points;      ///< points that must survive
+  std::vector<Index> ridges;               ///< indices into `edges`: sharp ones
+  std::vector<Index> required_edges;       ///< indices into `edges` that must survive as they are
+  std::vector<Index> required_triangles;   ///< indices into `triangles` that must survive as they are
+  std::vector<Index> required_tetrahedra;  ///< indices into `tetrahedra` that must survive as they are
+};
+
+}  // namespace taut

@@ -1,0 +1,25 @@
+// Metric fields as users hold them: sizes, tensors at the vertices, or a function of the position.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <variant>
+#include <vector>
+
+#include "taut/mesh.hpp"
+
+namespace taut {
+
+/// A symmetric tensor, entries in the order xx, xy, xz, yy, yz, zz (GMF files hold xx, xy, yy, xz, yz, zz).
+///
+/// As a metric its eigenvalues are 1/h^2, h the wanted edge size along the eigenvector (Dobrzynski and Frey 2008, 2.2).
+using Tensor = std::array<double, 6>;
+
+using Sizes = std::vector<double>;                           ///< wanted isotropic edge size at each point of a mesh
+using Tensors = std::vector<Tensor>;                         ///< metric tensor at each point of a mesh
+using MetricFunction = std::function<Tensor(const Point&)>;  ///< called concurrently: it must be pure
+
+/// The target of an adaptation.
+using Metric = std::variant<Sizes, Tensors, MetricFunction>;
+
+}  // namespace taut

@@ -1,0 +1,10 @@
+// All of taut's public interface.
+#pragma once
+
+#include "taut/adapt.hpp"
+#include "taut/error.hpp"
+#include "taut/io.hpp"
+#include "taut/mesh.hpp"
+#include "taut/metric.hpp"
+#include "taut/quality.hpp"
+#include "taut/version.hpp"

@@ -1,0 +1,4 @@
+// The version of taut, read by CMakeLists.txt from here.
+#pragma once
+
+#define TAUT_VERSION "0.1.0"

@@ -1,0 +1,84 @@
+#include "taut/adapt.hpp"
+
+#include "adapt/passes.hpp"
+#include "adapt/result.hpp"
+#include "adapt/setup.hpp"
+#include "mesh/order.hpp"
+
+namespace taut {
+namespace {
+
+class Adaptation {
+public:
+  Adaptation(Problem& problem, const AdaptOptions& options, Report& report)
+      : kernel_{problem.mesh, problem.model, *problem.target}, options_(options), report_(report) {}
+
+  void run() {
+    tets_when_ordered_ = kernel_.mesh.tet_count();
+    for (round_ = 0; round_ < options_.passes && !report_.cancelled; ++round_) {
+      const std::size_t gained = round();
+      ++report_.rounds;
+      if (kernel_.mesh.tets.size() > growth_ * tets_when_ordered_) put_in_order();
+      if (gained < settled_ * kernel_.mesh.tet_count()) break;
+    }
+    put_in_order();
+    for (const Tally* tally : {&insertion_, &collapse_, &edge_swap_, &face_swap_, &relocation_})
+      report_.passes.push_back(tally->report());
+    report_.seconds.emplace_back("order", order_seconds_);
+  }
+
+private:
+  // Returns the operations of the round that changed the topology.
+  std::size_t round() {
+    const std::size_t before = insertion_.accepted() + collapse_.accepted() + edge_swap_.accepted();
+    pass(insertion_, [&] { insertion_pass(kernel_, {}, insertion_); });
+    pass(collapse_, [&] { collapse_pass(kernel_, {}, collapse_); });
+    pass(edge_swap_, [&] { swap_pass(kernel_, {.good_enough = 0.8}, edge_swap_, face_swap_); });
+    pass(relocation_, [&] { relocation_pass(kernel_, {}, relocation_); });
+    return insertion_.accepted() + collapse_.accepted() + edge_swap_.accepted() - before;
+  }
+
+  template <class Work>
+  void pass(Tally& tally, Work work) {
+    if (report_.cancelled) return;
+    const Stopwatch watch;
+    const std::size_t before = tally.accepted();
+    work();
+    tally.add_seconds(watch.seconds());
+    if (!options_.progress) return;
+    report_.cancelled = !options_.progress(
+        {round_, tally.name(), kernel_.mesh.vertex_count(), kernel_.mesh.tet_count(), tally.accepted() - before});
+  }
+
+  void put_in_order() {
+    const Stopwatch watch;
+    reorder(kernel_.mesh);
+    tets_when_ordered_ = kernel_.mesh.tet_count();
+    order_seconds_ += watch.seconds();
+  }
+
+  static constexpr double growth_ = 1.5;     // of the mesh from which locality is restored
+  static constexpr double settled_ = 0.0015;  // share of the tetrahedra below which a round's changes are noise
+
+  Kernel kernel_;
+  const AdaptOptions& options_;
+  Report& report_;
+  int round_ = 0;
+  double tets_when_ordered_ = 0, order_seconds_ = 0;
+  Tally insertion_{"insert"}, collapse_{"collapse"}, edge_swap_{"swap"}, face_swap_{"swap faces"}, relocation_{"relocate"};
+};
+
+}  // namespace
+
+AdaptResult adapt(const Mesh& mesh, const Metric& metric, const AdaptOptions& options) {
+  AdaptResult result;
+  Problem problem = set_up(mesh, metric, options, result.report);
+  Adaptation(problem, options, result.report).run();
+  problem.target.reset();
+  const Stopwatch watch;
+  assemble(problem, mesh, result);
+  result.report.seconds.emplace_back("result", watch.seconds());
+  return result;
+}
+
+}  // namespace taut

@@ -1,0 +1,167 @@
+#include "cavity/cavity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/orientation.hpp"
+
+namespace taut {
+
+Refusal Cavity::add_face(const TetMesh& mesh, int owner, int face, VertexId gone) {
+  const auto v = mesh.face(tets[owner], face);
+  if (v[0] == gone || v[1] == gone || v[2] == gone) {
+    // Of a collapse's ball the hull faces at the vanishing vertex lie on patches that the apex is not on.
+    if (gone != none) return Refusal::geometry;
+  }
+  for (int k = 0; k < 3; ++k) {
+    if (v[k] != apex_.id) continue;
+    if (apex_face_count_ == FaceBatch::capacity) return Refusal::too_large;
+    const VertexId b = v[(k + 1) % 3], c = v[(k + 2) % 3];
+    const int lb = vertices_.add(mesh, b), lc = vertices_.add(mesh, c);
+    if (lb < 0 || lc < 0) return Refusal::too_large;
+    apex_faces_[apex_face_count_++] = {b, c, static_cast<std::uint8_t>(lb), static_cast<std::uint8_t>(lc), owner, face};
+    return Refusal::accepted;
+  }
+  if (batch.full()) return Refusal::too_large;
+  HullFace& hull = faces_[batch.size()];
+  hull = {v, {}, owner, face};
+  for (int k = 0; k < 3; ++k) {
+    const int l = vertices_.add(mesh, v[k]);
+    if (l < 0) return Refusal::too_large;
+    hull.local[k] = static_cast<std::uint8_t>(l);
+  }
+  batch.push(mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]);
+  return Refusal::accepted;
+}
+
+Refusal Cavity::add_triangle(const TetMesh& mesh, const Model& model, int owner, int face, VertexId gone) {
+  const TriangleId t = mesh.tets[tets[owner]].n[face].triangle();
+  const Triangle& triangle = mesh.triangles[t];
+  const FaceLink here = FaceLink::to_face(tets[owner], face);
+  const FaceLink other = mesh.other_side(t, here);
+  const bool goes = model.on_patch(apex_.tag, triangle.patch);
+  if (other != outside && tets.contains(other.tet())) {  // between two tetrahedra of the cavity
+    if (!goes) return Refusal::geometry;
+    if (triangle.side[0] != here) return Refusal::accepted;  // noted from the other side
+    return surface_.remove(t) ? Refusal::accepted : Refusal::too_large;
+  }
+  if (goes && other == outside) return surface_.remove(t) ? Refusal::accepted : Refusal::too_large;
+  return add_face(mesh, owner, face, gone);
+}
+
+Refusal Cavity::propose(const TetMesh& mesh, const Model& model, const Apex& apex, VertexId gone) {
+  apex_ = apex;
+  apex_face_count_ = 0;
+  batch.clear();
+  surface_.clear();
+  vertices_.clear();
+  for (int i = 0; i < tets.size(); ++i) {
+    const Tet& tet = mesh.tets[tets[i]];
+    for (int f = 0; f < 4; ++f) {
+      Refusal refusal = Refusal::accepted;
+      if (tet.n[f].is_triangle())
+        refusal = add_triangle(mesh, model, i, f, gone);
+      else if (!tets.contains(tet.n[f].tet()))
+        refusal = add_face(mesh, i, f, gone);
+      if (refusal != Refusal::accepted) return refusal;
+    }
+  }
+  if (batch.size() == 0) return Refusal::topology;
+  batch.evaluate(apex_.vertex);
+  return surface_.empty() ? Refusal::accepted : surface_.rejoin(mesh, model, apex_, gone);
+}
+
+bool Cavity::sees(int i) const {
+  if (batch.volume[i] > batch.doubtful_volume()) return true;
+  if (batch.volume[i] < -batch.doubtful_volume()) return false;
+  const auto& l = faces_[i].local;
+  return orientation(apex_.vertex.x, vertices_.x(l[0]), vertices_.x(l[1]), vertices_.x(l[2])) > 0;
+}
+
+bool Cavity::all_positive() const {
+  for (int i = 0; i < batch.size(); ++i)
+    if (!sees(i)) return false;
+  return true;
+}
+
+double Cavity::worst_new_quality() const {
+  double worst = 1e9;
+  for (int i = 0; i < batch.size(); ++i) worst = std::min(worst, batch.quality[i]);
+  return worst;
+}
+
+double Cavity::worst_old_quality(const TetMesh& mesh) const {
+  float worst = 1e9F;
+  for (TetId t : tets.span()) worst = std::min(worst, mesh.tets[t].quality);
+  return worst;
+}
+
+Refusal Cavity::validate(const TetMesh& mesh, VertexId gone) {
+  if (!all_positive()) return Refusal::inverted;
+  if (loses_vertex(mesh, gone) || !match(mesh)) return Refusal::topology;
+  return Refusal::accepted;
+}
+
+bool Cavity::loses_vertex(const TetMesh& mesh, VertexId gone) const {
+  for (TetId t : tets.span())
+    for (VertexId v : mesh.tets[t].v)
+      if (v != apex_.id && v != gone && !vertices_.contains(v)) return true;
+  return false;
+}
+
+bool Cavity::match(const TetMesh& mesh) {
+  const bool ok = enter_edges() && sides_agree(mesh);
+  if (!ok) clear_matching();
+  return ok;
+}
+
+bool Cavity::enter_edges() {
+  for (int i = 0; i < batch.size(); ++i) {
+    const auto& l = faces_[i].local;
+    for (int k = 0; k < 3; ++k) {
+      std::uint16_t& entry = edge_[l[k]][l[(k + 1) % 3]];
+      if (entry != 0) return false;
+      entry = static_cast<std::uint16_t>(1 + 3 * i + k);
+    }
+  }
+  for (int i = 0; i < apex_face_count_; ++i) {
+    std::uint16_t& entry = edge_[apex_faces_[i].local_b][apex_faces_[i].local_c];
+    if (entry != 0) return false;
+    entry = static_cast<std::uint16_t>(apex_base + i);
+  }
+  return true;
+}
+
+// Every side of a new tetrahedron finds another one, a face at the apex, or a new triangle; regions part at triangles.
+bool Cavity::sides_agree(const TetMesh& mesh) const {
+  for (int i = 0; i < batch.size(); ++i) {
+    const auto& l = faces_[i].local;
+    for (int k = 0; k < 3; ++k) {
+      const int partner = edge_[l[(k + 1) % 3]][l[k]];
+      if (!surface_.empty() && surface_.find_border(faces_[i].v[k], faces_[i].v[(k + 1) % 3]) >= 0) {
+        if (partner >= apex_base) return false;
+        continue;
+      }
+      if (partner == 0) return false;
+      if (partner >= apex_base) continue;
+      const RegionId here = mesh.region_of_tet[tets[faces_[i].owner]];
+      const RegionId there = mesh.region_of_tet[tets[faces_[(partner - 1) / 3].owner]];
+      if (here != there) return false;
+    }
+  }
+  for (int i = 0; i < apex_face_count_; ++i) {
+    const int partner = edge_[apex_faces_[i].local_c][apex_faces_[i].local_b];
+    if (partner == 0 || partner >= apex_base) return false;
+  }
+  return true;
+}
+
+void Cavity::clear_matching() {
+  for (int i = 0; i < batch.size(); ++i) {
+    const auto& l = faces_[i].local;
+    for (int k = 0; k < 3; ++k) edge_[l[k]][l[(k + 1) % 3]] = 0;
+  }
+  for (int i = 0; i < apex_face_count_; ++i) edge_[apex_faces_[i].local_b][apex_faces_[i].local_c] = 0;
+}
+
+}  // namespace taut

@@ -1,0 +1,94 @@
+// The one operator: a set of tetrahedra goes, and the hull's faces are joined to one vertex, the apex
+// (Dobrzynski and Frey 2008, section 3: T <- T - C(p) + B(p); Loseille and Loehner's cavity operator).
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "cavity/face_batch.hpp"
+#include "cavity/refusal.hpp"
+#include "cavity/surface_cavity.hpp"
+#include "cavity/tet_set.hpp"
+#include "cavity/vertex_batch.hpp"
+
+namespace taut {
+
+/// A worker's scratch. Use: fill `tets`; propose(); judge what stands in `batch` and lengths(); commit().
+class Cavity {
+public:
+  TetSet tets;      ///< collected
+  FaceBatch batch;  ///< the hull's faces that will carry a new tetrahedron, evaluated from the apex
+
+  /// Finds the hull seen from the apex and evaluates its faces. Faces that contain the apex stay; triangles on a patch of
+  /// the apex go. `gone` is the vertex that a collapse removes. Refused for geometry, or for lack of room.
+  [[nodiscard]] Refusal propose(const TetMesh& mesh, const Model& model, const Apex& apex, VertexId gone = none);
+
+  /// The tetrahedron that owns face i of the batch, as an index into `tets`.
+  [[nodiscard]] int owner(int i) const { return faces_[i].owner; }
+
+  /// Whether face i of the batch sees the apex: its new tetrahedron is positive, exactly.
+  [[nodiscard]] bool sees(int i) const;
+
+  [[nodiscard]] double worst_new_quality() const;
+  [[nodiscard]] double worst_old_quality(const TetMesh& mesh) const;
+
+  /// Fast edge lengths from the apex to the hull's vertices; valid until the next call.
+  [[nodiscard]] std::span<const double> lengths() { return vertices_.lengths(apex_.vertex); }
+
+  /// All new tetrahedra are positive, their side faces match, no vertex but `gone` is lost.
+  [[nodiscard]] Refusal validate(const TetMesh& mesh, VertexId gone = none);
+
+  /// Re-joins the hull to the apex, which must exist. Call only after validate() found nothing.
+  void commit(TetMesh& mesh, VertexId apex);
+
+  /// The tetrahedra made by the last commit().
+  [[nodiscard]] std::span<const TetId> made() const { return {made_.data(), static_cast<std::size_t>(batch.size())}; }
+
+  [[nodiscard]] const VertexBatch& vertices() const { return vertices_; }
+
+private:
+  struct HullFace {
+    std::array<VertexId, 3> v;
+    std::array<std::uint8_t, 3> local;
+    int owner;
+    int face;  ///< of the owner
+  };
+  struct ApexFace {  ///< contains the apex: its link is glued to a new tetrahedron at edge bc
+    VertexId b, c;
+    std::uint8_t local_b, local_c;
+    int owner, face;
+  };
+
+  Refusal add_face(const TetMesh& mesh, int owner, int face, VertexId gone);
+  Refusal add_triangle(const TetMesh& mesh, const Model& model, int owner, int face, VertexId gone);
+  [[nodiscard]] bool all_positive() const;
+  [[nodiscard]] bool match(const TetMesh& mesh);
+  bool enter_edges();
+  bool sides_agree(const TetMesh& mesh) const;
+  [[nodiscard]] bool loses_vertex(const TetMesh& mesh, VertexId gone) const;
+  void clear_matching();
+  void take_ids(TetMesh& mesh);
+  void make_triangles(TetMesh& mesh, VertexId apex);
+  void make_tet(TetMesh& mesh, VertexId apex, int i);
+  void glue_side(TetMesh& mesh, int i, int k);
+  void relink(TetMesh& mesh, FaceLink link, FaceLink old_face, FaceLink new_face) const;
+  void release(TetMesh& mesh);
+
+  Apex apex_;
+  int apex_face_count_ = 0;
+  VertexBatch vertices_;
+  SurfaceCavity surface_;
+  std::array<HullFace, FaceBatch::capacity> faces_{};
+  std::array<ApexFace, FaceBatch::capacity> apex_faces_{};
+
+  // Directed edge (a, b) of a hull face, in local numbers -> which one: 1 + 3 face + edge, or apex_base + apex face.
+  static constexpr int apex_base = 1 + 3 * FaceBatch::capacity;
+  std::array<std::array<std::uint16_t, VertexBatch::capacity>, VertexBatch::capacity> edge_{};
+
+  // Filled while committing.
+  std::array<TetId, FaceBatch::capacity> made_{};
+  std::array<std::array<FaceLink, 4>, TetSet::capacity> old_links_{};
+  std::array<RegionId, TetSet::capacity> old_regions_{};
+};
+
+}  // namespace taut

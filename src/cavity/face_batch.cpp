@@ -1,0 +1,56 @@
+#include "cavity/face_batch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut {
+namespace {
+
+// 1/Q = V6 sqrt(det M) / S^(3/2) times this, S the sum of the six squared lengths; the same with M four times as large.
+constexpr double regular = 20.784609690826528;  // 12 sqrt 3
+
+// Shewchuk's bound (7 + 56 eps) eps for det(a-p, b-p, c-p), times the 6 products of the permanent.
+constexpr double rounding = 6 * 7.8e-16;
+
+}  // namespace
+
+void FaceBatch::push(const Vertex& a, const Vertex& b, const Vertex& c) {
+  const int i = size_++;
+  for (int d = 0; d < 3; ++d) {
+    x_[d][i] = a.x[d];
+    x_[3 + d][i] = b.x[d];
+    x_[6 + d][i] = c.x[d];
+  }
+  for (int k = 0; k < 6; ++k) m_[k][i] = (a.m[k] + b.m[k]) + c.m[k];
+}
+
+void FaceBatch::evaluate(const Vertex& apex) {
+  const double px = apex.x[0], py = apex.x[1], pz = apex.x[2];
+  const Sym3 m = apex.m;
+  const int lanes = (size_ + 3) & ~3;  // whole vectors: the lanes beyond the end hold numbers nobody reads
+  double wide[3] = {0, 0, 0};
+  for (int i = 0; i < lanes; ++i) {
+    const double ax = x_[0][i] - px, ay = x_[1][i] - py, az = x_[2][i] - pz;
+    const double bx = x_[3][i] - px, by = x_[4][i] - py, bz = x_[5][i] - pz;
+    const double cx = x_[6][i] - px, cy = x_[7][i] - py, cz = x_[8][i] - pz;
+    const double m0 = m_[0][i] + m[0], m1 = m_[1][i] + m[1], m2 = m_[2][i] + m[2];
+    const double m3 = m_[3][i] + m[3], m4 = m_[4][i] + m[4], m5 = m_[5][i] + m[5];
+    const double v = ax * (by * cz - bz * cy) - ay * (bx * cz - bz * cx) + az * (bx * cy - by * cx);
+    // The determinant by its pivots: cofactors lose all digits on a rotated metric of anisotropy 1e4.
+    const double i0 = 1 / m0, d1 = m3 - m1 * i0 * m1, r = m4 - m2 * i0 * m1;
+    const double det = m0 * (d1 * (m5 - m2 * i0 * m2) - r * r);
+    const auto form = [&](double x, double y, double z) {
+      return (m0 * x + 2 * (m1 * y + m2 * z)) * x + (m3 * y + 2 * (m4 * z)) * y + m5 * z * z;
+    };
+    // With p at the origin the six squared lengths add up to 4 (|a|^2 + |b|^2 + |c|^2) - |a + b + c|^2.
+    const double s = 4 * (form(ax, ay, az) + form(bx, by, bz) + form(cx, cy, cz)) - form(ax + bx + cx, ay + by + cy, az + bz + cz);
+    volume[i] = v;
+    quality[i] = regular * v * std::sqrt(det) / (s * std::sqrt(s));
+  }
+  for (int d = 0; d < 3; ++d)
+    for (int k = d; k < 9; k += 3)
+      for (int i = 0; i < size_; ++i) wide[d] = std::max(wide[d], std::fabs(x_[k][i] - apex.x[d]));
+  doubtful_ = rounding * wide[0] * wide[1] * wide[2];
+}
+
+}  // namespace taut

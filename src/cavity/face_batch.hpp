@@ -1,0 +1,38 @@
+// Oriented triangles gathered once and judged, as bases of tetrahedra, for one apex after another in vector form.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "mesh/tet_mesh.hpp"
+
+namespace taut {
+
+/// Structure of arrays: the compiler turns the loops over it into vector instructions.
+class FaceBatch {
+public:
+  static constexpr int capacity = 192;
+
+  void clear() { size_ = 0; }
+  [[nodiscard]] int size() const { return size_; }
+  [[nodiscard]] bool full() const { return size_ == capacity; }
+  void push(const Vertex& a, const Vertex& b, const Vertex& c);
+
+  /// For each face abc: `volume` = det(a-p, b-p, c-p), six times that of the tetrahedron pabc, and `quality` = 1/Q of it
+  /// (method of Dobrzynski and Frey 2008, 2.3, M_K the mean of the four metrics; negative where inverted).
+  void evaluate(const Vertex& apex);
+
+  /// Below this a volume's sign is not certain in floating point.
+  [[nodiscard]] double doubtful_volume() const { return doubtful_; }
+
+  alignas(64) std::array<double, capacity> volume{};
+  alignas(64) std::array<double, capacity> quality{};
+
+private:
+  int size_ = 0;
+  double doubtful_ = 0;
+  alignas(64) double x_[9][capacity]{};  // ax ay az bx by bz cx cy cz
+  alignas(64) double m_[6][capacity]{};  // sum of the three metrics
+};
+
+}  // namespace taut

@@ -1,0 +1,51 @@
+// What every operation needs: the mesh, what it must respect, and a worker's scratch.
+#pragma once
+
+#include "cavity/cavity.hpp"
+#include "cavity/collect.hpp"
+#include "cavity/face_batch.hpp"
+#include "geometry/model.hpp"
+#include "mesh/tet_mesh.hpp"
+#include "metric/length.hpp"
+#include "sizing/target.hpp"
+
+namespace taut {
+
+inline constexpr double longest_unit = 1.41421356237309505;    // a longer edge is split
+inline constexpr double shortest_unit = 0.70710678118654752;  // a shorter one is collapsed
+
+struct Kernel {
+  TetMesh& mesh;
+  const Model& model;
+  const Target& target;
+
+  Cavity cavity{};
+  Shell shell{};
+  FaceBatch batch{};         ///< of the candidates of a swap, or the ball of a relocation
+  VertexBatch neighbours{};  ///< of a vertex to be relocated
+  SmallMap<256> spared{};  ///< tetrahedra found not to be in conflict with a new vertex
+
+  [[nodiscard]] double length(VertexId a, VertexId b) const {
+    const Vertex &p = mesh.vertices[a], &q = mesh.vertices[b];
+    return edge_length_fast(p.x, q.x, p.m, q.m);
+  }
+
+  /// Whether one of the tetrahedra must stay as it is.
+  [[nodiscard]] bool any_frozen(std::span<const TetId> tets) const {
+    if (!model.has_frozen_region) return false;
+    for (TetId t : tets)
+      if (model.regions[mesh.region_of_tet[t]].frozen) return true;
+    return false;
+  }
+
+  /// Remembers on every tetrahedron of the shell that its edge was tried.
+  void mark_shell(Trial kind) {
+    for (int i = 0; i < shell.size; ++i) mesh.tets[shell.tets[i]].set_tried(kind, shell.edges[i]);
+  }
+
+  [[nodiscard]] std::span<const TetId> shell_tets() const {
+    return {shell.tets.data(), static_cast<std::size_t>(shell.size)};
+  }
+};
+
+}  // namespace taut

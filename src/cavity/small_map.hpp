@@ -1,0 +1,59 @@
+// A set or map of a few dozen ids that lives in the first-level cache and is emptied in no time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace taut {
+
+/// Open addressing; at most half of `slots` entries are kept by the caller.
+template <int slots>
+class SmallMap {
+  static_assert((slots & (slots - 1)) == 0);
+
+public:
+  static constexpr int missing = -1;
+
+  void clear() {
+    if (++stamp_ == 0) {  // wrapped round after 2^32 uses
+      stamps_.fill(0);
+      stamp_ = 1;
+    }
+  }
+
+  [[nodiscard]] int find(std::uint32_t key) const {
+    for (std::uint32_t h = hash(key);; h = (h + 1) & (slots - 1)) {
+      if (stamps_[h] != stamp_) return missing;
+      if (keys_[h] == key) return values_[h];
+    }
+  }
+  [[nodiscard]] bool contains(std::uint32_t key) const { return find(key) != missing; }
+
+  /// The value of `key`, which becomes `value` if it has none.
+  int find_or_insert(std::uint32_t key, int value) {
+    for (std::uint32_t h = hash(key);; h = (h + 1) & (slots - 1)) {
+      if (stamps_[h] != stamp_) {
+        stamps_[h] = stamp_;
+        keys_[h] = key;
+        values_[h] = static_cast<std::int16_t>(value);
+        return value;
+      }
+      if (keys_[h] == key) return values_[h];
+    }
+  }
+
+private:
+  static std::uint32_t hash(std::uint32_t key) { return (key * 2654435769U) >> (32 - log2_slots); }
+  static constexpr int log2_slots = [] {
+    int n = 0;
+    while ((1 << n) < slots) ++n;
+    return n;
+  }();
+
+  std::uint32_t stamp_ = 1;
+  std::array<std::uint32_t, slots> stamps_{};
+  std::array<std::uint32_t, slots> keys_{};
+  std::array<std::int16_t, slots> values_{};
+};
+
+}  // namespace taut

@@ -1,0 +1,79 @@
+#include "cavity/surface_cavity.hpp"
+
+namespace taut {
+
+bool SurfaceCavity::remove(TriangleId t) {
+  if (removed_size_ == capacity) return false;
+  removed_[removed_size_++] = t;
+  return true;
+}
+
+void SurfaceCavity::add_edge(const Edge& edge) {
+  for (int i = 0; i < edge_size_; ++i) {
+    Edge& e = edges_[i];
+    if (e.patch == edge.patch && ((e.a == edge.b && e.b == edge.a) || (e.a == edge.a && e.b == edge.b))) {
+      ++e.count;
+      return;
+    }
+  }
+  edges_[edge_size_++] = edge;
+}
+
+void SurfaceCavity::toggle_end(VertexId v, PatchId patch, LineId line) {
+  for (int i = 0; i < end_size_; ++i) {
+    End& end = ends_[i];
+    if (end.v == v && end.patch == patch && end.line == line) {
+      end.open = !end.open;
+      return;
+    }
+  }
+  ends_[end_size_++] = {v, patch, line, true, false};
+}
+
+LineId SurfaceCavity::line_to(VertexId v, PatchId patch) {
+  for (int i = 0; i < end_size_; ++i) {
+    End& end = ends_[i];
+    if (!end.open || end.v != v || end.patch != patch) continue;
+    end.used = true;
+    return end.line;
+  }
+  return none;
+}
+
+int SurfaceCavity::find_border(VertexId a, VertexId b) const {
+  for (int i = 0; i < border_size_; ++i)
+    if ((border_[i].a == a && border_[i].b == b) || (border_[i].a == b && border_[i].b == a)) return i;
+  return -1;
+}
+
+Refusal SurfaceCavity::rejoin(const TetMesh& mesh, const Model& model, const Apex& apex, VertexId gone) {
+  for (TriangleId t : removed()) {
+    const Triangle& triangle = mesh.triangles[t];
+    for (int k = 0; k < 3; ++k)
+      add_edge({triangle.v[(k + 1) % 3], triangle.v[(k + 2) % 3], triangle.patch, triangle.line[k], 1});
+  }
+  for (int i = 0; i < edge_size_; ++i) {
+    const Edge& e = edges_[i];
+    const bool at_apex = e.a == apex.id || e.b == apex.id;
+    if (e.line != none && model.on_line(apex.tag, e.line)) {  // collinear with the apex: a feature edge that goes
+      if (e.a != apex.id) toggle_end(e.a, e.patch, e.line);
+      if (e.b != apex.id) toggle_end(e.b, e.patch, e.line);
+      continue;
+    }
+    if (e.count > 2 || (e.line != none && (e.count == 2 || at_apex))) return Refusal::geometry;
+    if (e.count == 2 || at_apex) continue;
+    if (e.a == gone || e.b == gone) return Refusal::geometry;
+    if (border_size_ == capacity || find_border(e.a, e.b) >= 0) return Refusal::geometry;
+    border_[border_size_++] = {e.a, e.b, e.patch, e.line, none, none, none};
+  }
+  for (int i = 0; i < border_size_; ++i) {
+    Border& b = border_[i];
+    b.line_pa = line_to(b.a, b.patch);
+    b.line_bp = line_to(b.b, b.patch);
+  }
+  for (int i = 0; i < end_size_; ++i)
+    if (ends_[i].open && (!ends_[i].used || ends_[i].v == gone)) return Refusal::geometry;
+  return Refusal::accepted;
+}
+
+}  // namespace taut

@@ -1,0 +1,73 @@
+// The triangles and feature edges that go with a cavity, and those that come: the cavity operator one dimension down.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "cavity/refusal.hpp"
+#include "geometry/model.hpp"
+#include "mesh/tet_mesh.hpp"
+
+namespace taut {
+
+/// The vertex to which a cavity is re-joined: one of the mesh's, or one about to be made.
+struct Apex {
+  VertexId id = none;
+  Vertex vertex;
+  Tag tag;
+};
+
+/// Within each patch, the border edges of the triangles removed are joined to the apex; so are, within each line, the end
+/// points of the feature edges removed.
+class SurfaceCavity {
+public:
+  static constexpr int capacity = 48;
+
+  /// A new triangle (apex, a, b), oriented as those that it replaces.
+  struct Border {
+    VertexId a, b;
+    PatchId patch;
+    LineId line_ab, line_bp, line_pa;
+    TriangleId made;
+  };
+
+  void clear() { removed_size_ = border_size_ = edge_size_ = end_size_ = 0; }
+  [[nodiscard]] bool empty() const { return removed_size_ == 0; }
+  [[nodiscard]] bool remove(TriangleId t);
+  [[nodiscard]] Refusal rejoin(const TetMesh& mesh, const Model& model, const Apex& apex, VertexId gone);
+
+  [[nodiscard]] int border_size() const { return border_size_; }
+  [[nodiscard]] Border& border(int i) { return border_[i]; }
+  [[nodiscard]] const Border& border(int i) const { return border_[i]; }
+  /// The border with end points a and b in either order, or -1.
+  [[nodiscard]] int find_border(VertexId a, VertexId b) const;
+  [[nodiscard]] std::span<const TriangleId> removed() const {
+    return {removed_.data(), static_cast<std::size_t>(removed_size_)};
+  }
+
+private:
+  struct Edge {
+    VertexId a, b;
+    PatchId patch;
+    LineId line;
+    int count;
+  };
+  struct End {  // of feature edges removed from a patch
+    VertexId v;
+    PatchId patch;
+    LineId line;
+    bool open, used;
+  };
+
+  void add_edge(const Edge& edge);
+  void toggle_end(VertexId v, PatchId patch, LineId line);
+  [[nodiscard]] LineId line_to(VertexId v, PatchId patch);
+
+  int removed_size_ = 0, border_size_ = 0, edge_size_ = 0, end_size_ = 0;
+  std::array<TriangleId, capacity> removed_{};
+  std::array<Border, capacity> border_{};
+  std::array<Edge, 3 * capacity> edges_{};
+  std::array<End, 6 * capacity> ends_{};
+};
+
+}  // namespace taut

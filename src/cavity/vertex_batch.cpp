@@ -1,0 +1,34 @@
+#include "cavity/vertex_batch.hpp"
+
+#include <cmath>
+
+#include "metric/length.hpp"
+
+namespace taut {
+
+int VertexBatch::add(const TetMesh& mesh, VertexId v) {
+  const int found = local_of_.find_or_insert(v, size_);
+  if (found < size_) return found;
+  if (size_ == capacity) return -1;
+  const Vertex& vertex = mesh.vertices[v];
+  ids_[size_] = v;
+  for (int d = 0; d < 3; ++d) x_[d][size_] = vertex.x[d];
+  for (int k = 0; k < 6; ++k) m_[k][size_] = vertex.m[k];
+  return size_++;
+}
+
+std::span<const double> VertexBatch::lengths(const Vertex& apex) {
+  const Vec3 p = apex.x;
+  const Sym3 m = apex.m;
+  const int lanes = (size_ + 3) & ~3;  // whole vectors: the lanes beyond the end hold numbers nobody reads
+  for (int i = 0; i < lanes; ++i) {
+    const double x = x_[0][i] - p[0], y = x_[1][i] - p[1], z = x_[2][i] - p[2];
+    const double a = (m[0] * x + 2 * (m[1] * y + m[2] * z)) * x + (m[3] * y + 2 * (m[4] * z)) * y + m[5] * z * z;
+    const double b = (m_[0][i] * x + 2 * (m_[1][i] * y + m_[2][i] * z)) * x +
+                     (m_[3][i] * y + 2 * (m_[4][i] * z)) * y + m_[5][i] * z * z;
+    lengths_[i] = simpson_mean(std::sqrt(a), std::sqrt(b));
+  }
+  return {lengths_.data(), static_cast<std::size_t>(size_)};
+}
+
+}  // namespace taut

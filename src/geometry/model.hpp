@@ -1,0 +1,70 @@
+// The boundary as it must stay: patches, lines and corners, and which lies on which.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "base/vec3.hpp"
+#include "mesh/tet_mesh.hpp"
+
+namespace taut {
+
+/// A connected set of triangles of one reference between feature lines. Planar, or frozen: then nothing on it changes.
+struct Patch {
+  int ref = 0;
+  bool frozen = false;
+  bool required = false;
+  Vec3 normal{};
+  double offset = 0;  ///< normal . x on the patch
+};
+
+/// A straight chain of feature edges between two corners.
+struct Line {
+  int ref = 0;
+  bool frozen = false;
+  bool sharp = false;     ///< written as a ridge
+  bool required = false;
+  bool implicit = false;  ///< parts required triangles from others: not written
+  Vec3 origin{}, direction{};
+  std::vector<PatchId> patches;
+};
+
+/// A vertex that stays. Corners of nothing but frozen patches share one entry without patches and lines.
+struct Corner {
+  std::vector<PatchId> patches;
+  std::vector<LineId> lines;
+};
+
+/// One reference of tetrahedra. The tetrahedra of a frozen region are required.
+struct Region {
+  int ref = 0;
+  bool frozen = false;
+};
+
+/// An edge of the input inside the volume: the tetrahedra round it stay as they are.
+struct InnerEdge {
+  std::array<std::uint32_t, 2> points;  ///< of the input
+  int ref = 0;
+  bool sharp = false, required = false;
+};
+
+class Model {
+public:
+  std::vector<Patch> patches;
+  std::vector<Line> lines;
+  std::vector<Corner> corners;
+  std::vector<Region> regions;
+  std::vector<InnerEdge> inner_edges;
+  bool has_frozen_region = false;
+
+  /// Whether a vertex so tagged lies in the closure of a patch that may change.
+  [[nodiscard]] bool on_patch(Tag tag, PatchId patch) const;
+  /// Whether a vertex so tagged lies in the closure of a line that may change.
+  [[nodiscard]] bool on_line(Tag tag, LineId line) const;
+  /// The point of the vertex's patch or line nearest to x; x itself in the volume.
+  [[nodiscard]] Vec3 project(Tag tag, const Vec3& x) const;
+};
+
+}  // namespace taut

@@ -1,0 +1,27 @@
+// From the plain arrays of the public mesh to the mesh under work, with every check at the door.
+#pragma once
+
+#include <vector>
+
+#include "mesh/tet_mesh.hpp"
+#include "taut/mesh.hpp"
+
+namespace taut {
+
+struct Built {
+  TetMesh mesh;                           ///< in Hilbert order; no patches, lines, tags or metrics yet
+  std::vector<VertexId> vertex_of_point;  ///< `none` for a point of no tetrahedron
+  std::vector<TriangleId> triangle_of_input;
+  std::vector<int> region_refs;              ///< reference of each region
+  std::vector<std::uint8_t> region_frozen;   ///< whether it holds the required tetrahedra of that reference
+  std::vector<int> triangle_refs;            ///< reference of each triangle of `mesh`; 0 for those built
+  std::size_t reoriented = 0;                ///< inverted tetrahedra turned round
+  std::size_t triangles_built = 0;           ///< missing triangles of the boundary and between regions
+};
+
+/// Throws InputError naming the entity, counted from 1 as in files: an index out of range, a coordinate that is not
+/// finite, a tetrahedron that is flat or repeats a vertex, a face of three tetrahedra, a triangle that is no face or
+/// occurs twice, reference arrays of the wrong length.
+[[nodiscard]] Built build(const Mesh& input);
+
+}  // namespace taut

@@ -1,0 +1,63 @@
+#include "metric/field.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "metric/spectral.hpp"
+#include "taut/error.hpp"
+
+namespace taut {
+namespace {
+
+void require_count(std::size_t values, std::size_t points) {
+  if (values != points)
+    throw InputError(fmt::format("metric: {} values for {} vertices, expected one at each", values, points));
+}
+
+void require_metric(const Tensor& m, std::size_t vertex) {
+  if (!is_positive_definite(m))
+    throw InputError(
+        fmt::format("metric: vertex {} (counted from 0): the tensor xx, xy, xz, yy, yz, zz = {} is not finite and "
+                    "positive definite",
+                    vertex, fmt::join(m, ", ")));
+}
+
+/// Sizes so small or large that h^-2 is no positive double are refused too.
+Sym3 tensor_of_size(double h, std::size_t vertex) {
+  const Sym3 m = metric_of_size(h);
+  if (!(h > 0) || !is_positive_definite(m))
+    throw InputError(
+        fmt::format("metric: vertex {} (counted from 0): the size is {}, expected a positive number", vertex, h));
+  return m;
+}
+
+std::vector<Sym3> evaluate(const Mesh& mesh, const Sizes& sizes) {
+  require_count(sizes.size(), mesh.points.size());
+  std::vector<Sym3> tensors(sizes.size());
+  for (std::size_t i = 0; i < sizes.size(); ++i) tensors[i] = tensor_of_size(sizes[i], i);
+  return tensors;
+}
+
+std::vector<Sym3> evaluate(const Mesh& mesh, const Tensors& tensors) {
+  require_count(tensors.size(), mesh.points.size());
+  for (std::size_t i = 0; i < tensors.size(); ++i) require_metric(tensors[i], i);
+  return tensors;
+}
+
+std::vector<Sym3> evaluate(const Mesh& mesh, const MetricFunction& function) {
+  if (!function) throw InputError("metric: an empty function was given");
+  std::vector<Sym3> tensors(mesh.points.size());
+  for (std::size_t i = 0; i < tensors.size(); ++i) {
+    tensors[i] = function(mesh.points[i]);
+    require_metric(tensors[i], i);
+  }
+  return tensors;
+}
+
+}  // namespace
+
+std::vector<Sym3> tensors_at(const Mesh& mesh, const Metric& metric) {
+  return std::visit([&mesh](const auto& given) { return evaluate(mesh, given); }, metric);
+}
+
+}  // namespace taut

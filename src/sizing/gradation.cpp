@@ -1,0 +1,119 @@
+#include "sizing/gradation.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <optional>
+#include <queue>
+
+#include "base/vec3.hpp"
+#include "metric/cholesky.hpp"
+#include "metric/intersection.hpp"
+#include "metric/length.hpp"
+
+namespace taut {
+namespace {
+
+using Edge = std::array<VertexId, 2>;
+
+/// Relative excess of an eigenvalue that is left alone.
+constexpr double tolerance = 1e-3;
+
+/// Bound on the vertices looked at, in multiples of their number. Intersections of metrics askew to each other may come
+/// out below either size, so that no argument ends the corrections; in practice a few multiples do.
+constexpr std::size_t largest_effort = 200;
+
+/// What p asks of q, unless q grants it already.
+std::optional<Sym3> demand(const Vec3& p, const Vec3& q, const Sym3& mp, const Sym3& mq, double log_beta) {
+  // Equal metrics bind each other to nothing, however badly conditioned they are.
+  if (mp == mq) return {};
+  const double growth = 1 + length_in(mp, q - p) * log_beta;
+  const Sym3 grown = 1 / (growth * growth) * mp;
+  if (is_dominated(grown, mq, 1 + tolerance)) return {};
+  return grown;
+}
+
+/// Neighbours of v: of[first[v]] to of[first[v + 1]].
+struct Neighbours {
+  std::vector<std::size_t> first;
+  std::vector<VertexId> of;
+};
+
+Neighbours neighbours_of_vertices(std::size_t vertices, std::span<const Edge> edges) {
+  Neighbours n{std::vector<std::size_t>(vertices + 2), std::vector<VertexId>(2 * edges.size())};
+  for (const auto& [p, q] : edges) ++n.first[p + 2], ++n.first[q + 2];
+  for (std::size_t v = 2; v < n.first.size(); ++v) n.first[v] += n.first[v - 1];
+  for (const auto& [p, q] : edges) n.of[n.first[p + 1]++] = q, n.of[n.first[q + 1]++] = p;
+  return n;
+}
+
+/// Vertices whose neighbours are to be looked at, the smallest sizes first: as in Dijkstra's shortest paths, what they
+/// ask for is final or nearly so. Ties go to the smaller id.
+class Queue {
+public:
+  explicit Queue(std::size_t vertices) : key_(vertices, absent) {}
+
+  void push(VertexId v, const Sym3& m) {
+    const double key = m[0] + m[3] + m[5];
+    if (key == key_[v]) return;
+    key_[v] = key;
+    heap_.push({key, v});
+  }
+
+  /// `none` when empty. Entries outdated by a later push are passed over.
+  VertexId pop() {
+    while (!heap_.empty()) {
+      const Entry top = heap_.top();
+      heap_.pop();
+      if (key_[top.vertex] != top.key) continue;
+      key_[top.vertex] = absent;
+      return top.vertex;
+    }
+    return none;
+  }
+
+private:
+  static constexpr double absent = -1;
+  struct Entry {
+    double key;
+    VertexId vertex;
+    bool operator<(const Entry& other) const { return key != other.key ? key < other.key : vertex > other.vertex; }
+  };
+  std::vector<double> key_;
+  std::priority_queue<Entry> heap_;
+};
+
+/// Only vertices that ask something of a neighbour start: where the field is smooth, one scan of the edges is all.
+Queue vertices_that_ask(std::span<const Point> points, std::span<const Edge> edges, std::span<const Sym3> metrics,
+                        double log_beta) {
+  Queue queue(points.size());
+  for (const auto& [p, q] : edges) {
+    if (demand(points[p], points[q], metrics[p], metrics[q], log_beta)) queue.push(p, metrics[p]);
+    if (demand(points[q], points[p], metrics[q], metrics[p], log_beta)) queue.push(q, metrics[q]);
+  }
+  return queue;
+}
+
+}  // namespace
+
+std::vector<Sym3> gradate(std::span<const Point> points, std::span<const Edge> edges, std::vector<Sym3> metrics,
+                          double beta) {
+  assert(points.size() == metrics.size() && beta > 1);
+  const double log_beta = std::log(beta);
+  Queue queue = vertices_that_ask(points, edges, metrics, log_beta);
+  VertexId p = queue.pop();
+  if (p == none) return metrics;
+  const Neighbours neighbours = neighbours_of_vertices(points.size(), edges);
+  for (std::size_t effort = largest_effort * points.size(); p != none && effort > 0; p = queue.pop(), --effort) {
+    for (std::size_t i = neighbours.first[p]; i < neighbours.first[p + 1]; ++i) {
+      const VertexId q = neighbours.of[i];
+      const auto wish = demand(points[p], points[q], metrics[p], metrics[q], log_beta);
+      if (!wish) continue;
+      metrics[q] = intersect(metrics[q], *wish);
+      queue.push(q, metrics[q]);
+    }
+  }
+  return metrics;
+}
+
+}  // namespace taut
