@@ -16,10 +16,10 @@ public:
   void run() {
     tets_when_ordered_ = kernel_.mesh.tet_count();
     for (round_ = 0; round_ < options_.passes && !report_.cancelled; ++round_) {
-      const std::size_t gained = round();
+      const Gain gain = round();
       ++report_.rounds;
       if (kernel_.mesh.tets.size() > growth_ * tets_when_ordered_) put_in_order();
-      if (gained < settled_ * kernel_.mesh.tet_count()) break;
+      if (is_settled(gain)) break;
     }
     put_in_order();
     for (const Tally* tally : {&insertion_, &collapse_, &edge_swap_, &face_swap_, &relocation_})
@@ -28,14 +28,25 @@ public:
   }
 
 private:
-  // Returns the operations of the round that changed the topology.
-  std::size_t round() {
-    const std::size_t before = insertion_.accepted() + collapse_.accepted() + edge_swap_.accepted();
+  struct Gain {
+    double changed = 0;     ///< vertices made and removed, as a share of the tetrahedra
+    double efficiency = 0;  ///< of log tau, by relocation
+  };
+
+  Gain round() {
+    const std::size_t before = insertion_.accepted() + collapse_.accepted();
+    kernel_.efficiency_gain = 0;
     pass(insertion_, [&] { insertion_pass(kernel_, {}, insertion_); });
     pass(collapse_, [&] { collapse_pass(kernel_, {}, collapse_); });
     pass(edge_swap_, [&] { swap_pass(kernel_, {.good_enough = 0.8}, edge_swap_, face_swap_); });
     pass(relocation_, [&] { relocation_pass(kernel_, {}, relocation_); });
-    return insertion_.accepted() + collapse_.accepted() + edge_swap_.accepted() - before;
+    const auto tets = static_cast<double>(kernel_.mesh.tet_count());
+    const auto changed = static_cast<double>(insertion_.accepted() + collapse_.accepted() - before);
+    return {changed / tets, kernel_.efficiency_gain / (edges_per_tet_ * tets)};
+  }
+
+  [[nodiscard]] bool is_settled(const Gain& gain) const {
+    return round_ >= fewest_rounds_ && gain.changed < settled_changes_ && gain.efficiency < settled_efficiency_;
   }
 
   template <class Work>
@@ -57,15 +68,19 @@ private:
     order_seconds_ += watch.seconds();
   }
 
-  static constexpr double growth_ = 1.5;     // of the mesh from which locality is restored
-  static constexpr double settled_ = 0.0015;  // share of the tetrahedra below which a round's changes are noise
+  static constexpr double growth_ = 1.5;             // of the mesh from which locality is restored
+  static constexpr int fewest_rounds_ = 2;           // swaps answer the first relocation, relocation the first swaps
+  static constexpr double settled_changes_ = 0.002;  // below these a round gains less than it costs
+  static constexpr double settled_efficiency_ = 2e-4;
+  static constexpr double edges_per_tet_ = 1.19;  // of a mesh of good tetrahedra with some boundary
 
   Kernel kernel_;
   const AdaptOptions& options_;
   Report& report_;
   int round_ = 0;
   double tets_when_ordered_ = 0, order_seconds_ = 0;
-  Tally insertion_{"insert"}, collapse_{"collapse"}, edge_swap_{"swap"}, face_swap_{"swap faces"}, relocation_{"relocate"};
+  Tally insertion_{"insert"}, collapse_{"collapse"}, edge_swap_{"swap"}, face_swap_{"swap faces"},
+      relocation_{"relocate"};
 };
 
 }  // namespace

@@ -3,7 +3,7 @@
 namespace taut {
 namespace {
 
-constexpr double clearly_long = 1.6;   // a longer edge must be split even if that makes short ones
+constexpr double clearly_long = 1.6;  // a longer edge must be split even if that makes short ones
 constexpr double loose_filter = 0.35;
 
 // Calls visit(t) for the tetrahedra that exist when the pass begins: draining what the pass itself makes gives poor
@@ -25,6 +25,12 @@ double edge_length(const Kernel& kernel, TetId t, int edge) {
   return kernel.length(v[edge_vertices[edge][0]], v[edge_vertices[edge][1]]);
 }
 
+// Remembers what the measuring of an edge found.
+void note(Tet& tet, int edge, double length, Trial kind, bool settled) {
+  if (settled) tet.set_tried(kind, edge);
+  if (length < shortest_unit || length > longest_unit) tet.set_tried(Trial::not_unit, edge);
+}
+
 }  // namespace
 
 void insertion_pass(Kernel& kernel, const InsertionRules& rules, Tally& tally) {
@@ -37,7 +43,7 @@ void insertion_pass(Kernel& kernel, const InsertionRules& rules, Tally& tally) {
     for (int e = 0; e < 6; ++e) {
       if (tet.was_tried(Trial::insertion, e)) continue;
       const double l = edge_length(kernel, t, e);
-      if (l <= longest_unit) tet.set_tried(Trial::insertion, e);
+      note(tet, e, l, Trial::insertion, l <= longest_unit);
       if (l <= length) continue;
       length = l;
       longest = e;
@@ -56,10 +62,9 @@ void collapse_pass(Kernel& kernel, const CollapseRules& rules, Tally& tally) {
     for (int e = 0; e < 6; ++e) {
       Tet& tet = kernel.mesh.tets[t];
       if (tet.was_tried(Trial::collapse, e)) continue;
-      if (edge_length(kernel, t, e) >= shortest_unit)
-        tet.set_tried(Trial::collapse, e);
-      else if (tally.record(collapse_edge(kernel, t, e, rules)))
-        return;
+      const double l = edge_length(kernel, t, e);
+      note(tet, e, l, Trial::collapse, l >= shortest_unit);
+      if (l < shortest_unit && tally.record(collapse_edge(kernel, t, e, rules))) return;
     }
   });
 }

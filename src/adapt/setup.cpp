@@ -42,8 +42,8 @@ void set_qualities(TetMesh& mesh) {
   for (Tet& tet : mesh.tets) {
     const Vertex* p[4];
     for (int k = 0; k < 4; ++k) p[k] = &mesh.vertices[tet.v[k]];
-    tet.quality = static_cast<float>(
-        shape_quality(p[0]->x, p[1]->x, p[2]->x, p[3]->x, p[0]->m, p[1]->m, p[2]->m, p[3]->m));
+    tet.quality =
+        static_cast<float>(shape_quality(p[0]->x, p[1]->x, p[2]->x, p[3]->x, p[0]->m, p[1]->m, p[2]->m, p[3]->m));
   }
 }
 

@@ -16,7 +16,9 @@ inline constexpr std::uint32_t none = ~std::uint32_t{0};
 class FaceLink {
 public:
   constexpr FaceLink() = default;
-  static constexpr FaceLink to_face(TetId tet, int face) { return FaceLink{4 * tet + static_cast<std::uint32_t>(face)}; }
+  static constexpr FaceLink to_face(TetId tet, int face) {
+    return FaceLink{4 * tet + static_cast<std::uint32_t>(face)};
+  }
   static constexpr FaceLink to_triangle(TriangleId triangle) { return FaceLink{triangle | triangle_bit}; }
 
   [[nodiscard]] constexpr bool is_triangle() const { return (bits_ & triangle_bit) != 0; }
@@ -39,5 +41,9 @@ inline constexpr std::array<std::array<int, 3>, 4> face_vertices = {{{1, 2, 3}, 
 
 /// End points of each edge.
 inline constexpr std::array<std::array<int, 2>, 6> edge_vertices = {{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+
+/// The edge between two different vertices.
+inline constexpr std::array<std::array<std::uint8_t, 4>, 4> edge_between = {
+    {{9, 0, 1, 2}, {0, 9, 3, 4}, {1, 3, 9, 5}, {2, 4, 5, 9}}};
 
 }  // namespace taut

@@ -72,8 +72,8 @@ Refusal Cavity::propose(const TetMesh& mesh, const Model& model, const Apex& ape
 }
 
 bool Cavity::sees(int i) const {
-  if (batch.volume[i] > batch.doubtful_volume()) return true;
-  if (batch.volume[i] < -batch.doubtful_volume()) return false;
+  if (batch.volume[i] > batch.doubtful_volume[i]) return true;
+  if (batch.volume[i] < -batch.doubtful_volume[i]) return false;
   const auto& l = faces_[i].local;
   return orientation(apex_.vertex.x, vertices_.x(l[0]), vertices_.x(l[1]), vertices_.x(l[2])) > 0;
 }

@@ -19,8 +19,8 @@ public:
   TetSet tets;      ///< collected
   FaceBatch batch;  ///< the hull's faces that will carry a new tetrahedron, evaluated from the apex
 
-  /// Finds the hull seen from the apex and evaluates its faces. Faces that contain the apex stay; triangles on a patch of
-  /// the apex go. `gone` is the vertex that a collapse removes. Refused for geometry, or for lack of room.
+  /// Finds the hull seen from the apex and evaluates its faces. Faces that contain the apex stay; triangles on a patch
+  /// of the apex go. `gone` is the vertex that a collapse removes. Refused for geometry, or for lack of room.
   [[nodiscard]] Refusal propose(const TetMesh& mesh, const Model& model, const Apex& apex, VertexId gone = none);
 
   /// The tetrahedron that owns face i of the batch, as an index into `tets`.

@@ -8,8 +8,6 @@ namespace {
 // The two vertices off each edge such that (edge, these) is an even permutation: a positive tetrahedron.
 constexpr std::array<std::array<int, 2>, 6> off_edge = {{{2, 3}, {3, 1}, {1, 2}, {0, 3}, {2, 0}, {0, 1}}};
 
-constexpr std::array<std::array<std::uint8_t, 4>, 4> edge_of = {{{9, 0, 1, 2}, {0, 9, 3, 4}, {1, 3, 9, 5}, {2, 4, 5, 9}}};
-
 // A tetrahedron of the shell, with the two ring vertices between which it lies.
 struct Step {
   TetId tet;
@@ -36,7 +34,7 @@ bool append(const TetMesh& mesh, const Step& step, Shell& shell) {
   if (shell.size == Shell::capacity) return false;
   const Tet& tet = mesh.tets[step.tet];
   shell.tets[shell.size] = step.tet;
-  shell.edges[shell.size] = edge_of[tet.index_of(shell.a)][tet.index_of(shell.b)];
+  shell.edges[shell.size] = edge_between[tet.index_of(shell.a)][tet.index_of(shell.b)];
   shell.ring[shell.size++] = step.from;
   return note_triangle(mesh, step, step.from, shell);
 }

@@ -1,6 +1,5 @@
 #include "cavity/face_batch.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace taut {
@@ -11,6 +10,13 @@ constexpr double regular = 20.784609690826528;  // 12 sqrt 3
 
 // Shewchuk's bound (7 + 56 eps) eps for det(a-p, b-p, c-p), times the 6 products of the permanent.
 constexpr double rounding = 6 * 7.8e-16;
+
+inline double larger(double a, double b) {
+  return a > b ? a : b;  // one instruction, which std::max is not
+}
+inline double widest(double a, double b, double c) {
+  return larger(larger(std::fabs(a), std::fabs(b)), std::fabs(c));
+}
 
 }  // namespace
 
@@ -28,7 +34,6 @@ void FaceBatch::evaluate(const Vertex& apex) {
   const double px = apex.x[0], py = apex.x[1], pz = apex.x[2];
   const Sym3 m = apex.m;
   const int lanes = (size_ + 3) & ~3;  // whole vectors: the lanes beyond the end hold numbers nobody reads
-  double wide[3] = {0, 0, 0};
   for (int i = 0; i < lanes; ++i) {
     const double ax = x_[0][i] - px, ay = x_[1][i] - py, az = x_[2][i] - pz;
     const double bx = x_[3][i] - px, by = x_[4][i] - py, bz = x_[5][i] - pz;
@@ -43,14 +48,12 @@ void FaceBatch::evaluate(const Vertex& apex) {
       return (m0 * x + 2 * (m1 * y + m2 * z)) * x + (m3 * y + 2 * (m4 * z)) * y + m5 * z * z;
     };
     // With p at the origin the six squared lengths add up to 4 (|a|^2 + |b|^2 + |c|^2) - |a + b + c|^2.
-    const double s = 4 * (form(ax, ay, az) + form(bx, by, bz) + form(cx, cy, cz)) - form(ax + bx + cx, ay + by + cy, az + bz + cz);
+    const double s =
+        4 * (form(ax, ay, az) + form(bx, by, bz) + form(cx, cy, cz)) - form(ax + bx + cx, ay + by + cy, az + bz + cz);
     volume[i] = v;
-    quality[i] = regular * v * std::sqrt(det) / (s * std::sqrt(s));
+    quality[i] = regular * v * std::sqrt(det / (s * s * s));
+    doubtful_volume[i] = rounding * widest(ax, bx, cx) * widest(ay, by, cy) * widest(az, bz, cz);
   }
-  for (int d = 0; d < 3; ++d)
-    for (int k = d; k < 9; k += 3)
-      for (int i = 0; i < size_; ++i) wide[d] = std::max(wide[d], std::fabs(x_[k][i] - apex.x[d]));
-  doubtful_ = rounding * wide[0] * wide[1] * wide[2];
 }
 
 }  // namespace taut

@@ -18,19 +18,16 @@ public:
   [[nodiscard]] bool full() const { return size_ == capacity; }
   void push(const Vertex& a, const Vertex& b, const Vertex& c);
 
-  /// For each face abc: `volume` = det(a-p, b-p, c-p), six times that of the tetrahedron pabc, and `quality` = 1/Q of it
-  /// (method of Dobrzynski and Frey 2008, 2.3, M_K the mean of the four metrics; negative where inverted).
+  /// For each face abc: `volume` = det(a-p, b-p, c-p), six times that of the tetrahedron pabc, and `quality` = 1/Q of
+  /// it (method of Dobrzynski and Frey 2008, 2.3, M_K the mean of the four metrics; negative where inverted).
   void evaluate(const Vertex& apex);
-
-  /// Below this a volume's sign is not certain in floating point.
-  [[nodiscard]] double doubtful_volume() const { return doubtful_; }
 
   alignas(64) std::array<double, capacity> volume{};
   alignas(64) std::array<double, capacity> quality{};
+  alignas(64) std::array<double, capacity> doubtful_volume{};  ///< up to it the sign of `volume` is not certain
 
 private:
   int size_ = 0;
-  double doubtful_ = 0;
   alignas(64) double x_[9][capacity]{};  // ax ay az bx by bz cx cy cz
   alignas(64) double m_[6][capacity]{};  // sum of the three metrics
 };

@@ -7,7 +7,7 @@
 namespace taut {
 namespace {
 
-constexpr int most_repairs = 12;      // rounds of dropping tetrahedra whose faces do not see the new vertex
+constexpr int most_repairs = 12;     // rounds of dropping tetrahedra whose faces do not see the new vertex
 constexpr int largest_cavity = 100;  // the criterion of eq. (4) rarely asks for 40
 
 // The line or patch that the edge of the shell lies on. False if it may not be split.
@@ -84,8 +84,8 @@ private:
 
   [[nodiscard]] bool conflicts(TetId t) const {
     const auto& v = mesh_.tets[t].v;
-    return in_conflict(apex_.vertex, {&mesh_.vertices[v[0]], &mesh_.vertices[v[1]], &mesh_.vertices[v[2]],
-                                      &mesh_.vertices[v[3]]});
+    return in_conflict(apex_.vertex,
+                       {&mesh_.vertices[v[0]], &mesh_.vertices[v[1]], &mesh_.vertices[v[2]], &mesh_.vertices[v[3]]});
   }
 
   Refusal rejoin() {

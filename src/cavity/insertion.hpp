@@ -12,8 +12,8 @@ struct InsertionRules {
 };
 
 /// Splits the edge if the cavity of its middle can be re-joined (Dobrzynski and Frey 2008, section 3): the cavity grows
-/// from the shell over tetrahedra in conflict, loses those whose faces do not see the new vertex, and shrinks back to the
-/// shell if it is refused. Marks the shell as tried.
+/// from the shell over tetrahedra in conflict, loses those whose faces do not see the new vertex, and shrinks back to
+/// the shell if it is refused. Marks the shell as tried.
 Refusal insert_on_edge(Kernel& kernel, TetId t, int edge, const InsertionRules& rules);
 
 }  // namespace taut

@@ -11,7 +11,7 @@
 
 namespace taut {
 
-inline constexpr double longest_unit = 1.41421356237309505;    // a longer edge is split
+inline constexpr double longest_unit = 1.41421356237309505;   // a longer edge is split
 inline constexpr double shortest_unit = 0.70710678118654752;  // a shorter one is collapsed
 
 struct Kernel {
@@ -21,9 +21,10 @@ struct Kernel {
 
   Cavity cavity{};
   Shell shell{};
-  FaceBatch batch{};         ///< of the candidates of a swap, or the ball of a relocation
-  VertexBatch neighbours{};  ///< of a vertex to be relocated
-  SmallMap<256> spared{};  ///< tetrahedra found not to be in conflict with a new vertex
+  FaceBatch batch{};           ///< of the candidates of a swap, or the ball of a relocation
+  VertexBatch neighbours{};    ///< of a vertex to be relocated
+  double efficiency_gain = 0;  ///< sum over the edges moved by relocation of what they add to the mean of eq. (2)
+  SmallMap<256> spared{};      ///< tetrahedra found not to be in conflict with a new vertex
 
   [[nodiscard]] double length(VertexId a, VertexId b) const {
     const Vertex &p = mesh.vertices[a], &q = mesh.vertices[b];

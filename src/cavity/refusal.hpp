@@ -19,7 +19,8 @@ enum class Refusal : std::uint8_t {
   no_candidate  ///< nothing better was found
 };
 
-inline constexpr std::array<const char*, 10> refusal_names = {"accepted", "too large",  "frozen",    "geometry", "inverted",
-                                                              "quality", "short edge", "long edge", "topology", "nothing better"};
+inline constexpr std::array<const char*, 10> refusal_names = {"accepted", "too large",     "frozen",     "geometry",
+                                                              "inverted", "quality",       "short edge", "long edge",
+                                                              "topology", "nothing better"};
 
 }  // namespace taut

@@ -4,18 +4,19 @@
 #include <cmath>
 
 #include "mesh/orientation.hpp"
+#include "metric/quality.hpp"
 
 namespace taut {
 namespace {
 
-constexpr double decent_quality = 0.35;           // forces act on balls whose worst 1/Q is above it ..
+constexpr double decent_quality = 0.35;                      // forces act on balls whose worst 1/Q is above it ..
 constexpr double decent_shortest = 0.5, decent_longest = 2;  // .. and whose edges lie between these
 constexpr double quality_kept = 0.9, least_quality = 0.25;   // what a force may cost: 1/Q of the ball's worst element
 constexpr int halvings = 2;
 
 // exp(-y) for y >= 0 to 1e-5, in operations that vectorise.
 inline double exp_of_minus(double y) {
-  const double z = std::min(y, 40.0) * (1.0 / 64);
+  const double z = (y < 40 ? y : 40) * (1.0 / 64);
   double e = 1 - z * (1 - z * (1.0 / 2) * (1 - z * (1.0 / 3) * (1 - z * (1.0 / 4))));
   for (int i = 0; i < 6; ++i) e *= e;
   return e;
@@ -23,9 +24,8 @@ inline double exp_of_minus(double y) {
 
 // Bossen and Heckbert's force on an edge of length l, which also keeps short edges from vanishing.
 inline double force(double l) {
-  const double l4 = l * l * l * l;
-  const double f = (1 - l4) * exp_of_minus(l4);
-  return l < 1 ? f + (1 - l) * (1 - l) : f;
+  const double l4 = l * l * l * l, gap = l < 1 ? 1 - l : 0;
+  return (1 - l4) * exp_of_minus(l4) + gap * gap;
 }
 
 class Relocation {
@@ -53,12 +53,16 @@ private:
     k_.batch.clear();
     k_.neighbours.clear();
     old_quality_ = 1;
-    for (TetId t : ball.span()) {
-      const Tet& tet = mesh_.tets[t];
-      const auto face = mesh_.face(t, tet.index_of(v_));
-      k_.batch.push(mesh_.vertices[face[0]], mesh_.vertices[face[1]], mesh_.vertices[face[2]]);
-      for (VertexId u : face)
-        if (k_.neighbours.add(mesh_, u) < 0) return Refusal::too_large;
+    for (int i = 0; i < ball.size(); ++i) {
+      const Tet& tet = mesh_.tets[ball[i]];
+      const auto& corner = face_vertices[tet.index_of(v_)];
+      for (int k = 0; k < 3; ++k) {
+        const int local = k_.neighbours.add(mesh_, tet.v[corner[k]]);
+        if (local < 0) return Refusal::too_large;
+        local_[i][k] = static_cast<std::uint8_t>(local);
+      }
+      const auto at = [&](int k) -> const Vertex& { return mesh_.vertices[tet.v[corner[k]]]; };
+      k_.batch.push(at(0), at(1), at(2));
       old_quality_ = std::min(old_quality_, double{tet.quality});
     }
     return Refusal::accepted;
@@ -67,27 +71,31 @@ private:
   // Only neighbours on the vertex's own patch or line pull at it.
   [[nodiscard]] bool pulls(VertexId u) const {
     const Tag tag = mesh_.tag_of_vertex[u];
-    return tag_.dimension == 3 || (tag_.dimension == 2 ? k_.model.on_patch(tag, tag_.id) : k_.model.on_line(tag, tag_.id));
+    return tag_.dimension == 3 ||
+           (tag_.dimension == 2 ? k_.model.on_patch(tag, tag_.id) : k_.model.on_line(tag, tag_.id));
   }
 
   Vec3 wanted_step() {
     const auto lengths = k_.neighbours.lengths(old_);
     shortest_ = 1e9;
     longest_ = 0;
-    Vec3 forces{}, ideal{};
     int count = 0;
+    std::array<double, VertexBatch::capacity> weights;
     for (int i = 0; i < k_.neighbours.size(); ++i) {
+      if (lengths[i] < shortest_unit || lengths[i] > longest_unit) not_unit_ = true;
+      old_phi_ += efficiency_phi(lengths[i]);
+      weights[i] = 0;
       if (!pulls(k_.neighbours.id(i))) continue;
-      const double l = lengths[i];
-      shortest_ = std::min(shortest_, l);
-      longest_ = std::max(longest_, l);
-      const Vec3 edge = old_.x - k_.neighbours.x(i);
-      forces = forces + (force(l) / l) * edge;
-      ideal = ideal + (1 / l - 1) * edge;
+      weights[i] = 1 / lengths[i];
+      shortest_ = std::min(shortest_, lengths[i]);
+      longest_ = std::max(longest_, lengths[i]);
       ++count;
     }
     by_forces_ = old_quality_ > decent_quality && shortest_ > decent_shortest && longest_ < decent_longest;
-    return by_forces_ ? rules_.factor * forces : (count == 0 ? 0.0 : 1.0 / count) * ideal;
+    for (int i = 0; i < k_.neighbours.size(); ++i)
+      weights[i] = by_forces_ ? weights[i] * force(lengths[i]) : weights[i] == 0 ? 0 : weights[i] - 1;
+    const double scale = by_forces_ ? rules_.factor : count == 0 ? 0 : 1.0 / count;
+    return scale * k_.neighbours.weighted_edges(old_.x, weights);
   }
 
   Refusal attempt(const Vec3& step) {
@@ -115,7 +123,7 @@ private:
 
   [[nodiscard]] bool all_positive(const Vec3& x) const {
     for (int i = 0; i < k_.batch.size(); ++i) {
-      if (k_.batch.volume[i] > k_.batch.doubtful_volume()) continue;
+      if (k_.batch.volume[i] > k_.batch.doubtful_volume[i]) continue;
       const TetId t = k_.cavity.tets[i];
       const auto f = mesh_.face(t, mesh_.tets[t].index_of(v_));
       if (orientation(x, mesh_.x(f[0]), mesh_.x(f[1]), mesh_.x(f[2])) <= 0) return false;
@@ -126,15 +134,40 @@ private:
   void write(const Vertex& moved, std::uint32_t host) {
     mesh_.vertices[v_] = moved;
     mesh_.host_of_vertex[v_] = host;
-    const bool far = quadratic_form(moved.m, moved.x - old_.x) > rules_.still * rules_.still;
+    const double moved_by = std::sqrt(quadratic_form(moved.m, moved.x - old_.x));
+    float& drift = mesh_.drift[v_];
+    drift += static_cast<float>(moved_by);
+    const bool forget_swaps = drift > rules_.drift;
+    if (forget_swaps) drift = 0;
     for (int i = 0; i < k_.batch.size(); ++i) {
       Tet& tet = mesh_.tets[k_.cavity.tets[i]];
       tet.quality = static_cast<float>(k_.batch.quality[i]);
-      if (far) tet.tried = 0;
+      if (!forget_swaps) continue;
+      tet.forget(Trial::edge_swap, 0x3ff);
+      tet.forget_lengths();
     }
-    if (!far) return;
+    note_lengths(moved);
+    if (moved_by < rules_.still) return;
     mesh_.restless[v_] = 1;
     for (int i = 0; i < k_.neighbours.size(); ++i) mesh_.restless[k_.neighbours.id(i)] = 1;
+  }
+
+  // Where an edge is not unit, or was not, the passes that split and collapse must know.
+  void note_lengths(const Vertex& moved) {
+    const auto lengths = k_.neighbours.lengths(moved);
+    std::array<bool, VertexBatch::capacity> unit;
+    k_.efficiency_gain -= old_phi_;
+    for (int i = 0; i < k_.neighbours.size(); ++i) {
+      k_.efficiency_gain += efficiency_phi(lengths[i]);
+      unit[i] = lengths[i] >= shortest_unit && lengths[i] <= longest_unit;
+      not_unit_ |= !unit[i];
+    }
+    if (!not_unit_) return;
+    for (int i = 0; i < k_.batch.size(); ++i) {
+      Tet& tet = mesh_.tets[k_.cavity.tets[i]];
+      const int at = tet.index_of(v_);
+      for (int k = 0; k < 3; ++k) tet.set_length(edge_between[at][face_vertices[at][k]], unit[local_[i][k]]);
+    }
   }
 
   Kernel& k_;
@@ -143,8 +176,9 @@ private:
   const RelocationRules& rules_;
   const Vertex old_;
   const Tag tag_;
-  double old_quality_ = 1, shortest_ = 0, longest_ = 0;
-  bool by_forces_ = false;
+  double old_quality_ = 1, old_phi_ = 0, shortest_ = 0, longest_ = 0;
+  bool by_forces_ = false, not_unit_ = false;
+  std::array<std::array<std::uint8_t, 3>, TetSet::capacity> local_;  // numbers among the neighbours
 };
 
 }  // namespace

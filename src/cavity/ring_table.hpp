@@ -12,7 +12,7 @@ struct RingTable {
   static constexpr int smallest = 3, largest = 7;
 
   int triangle_count = 0;
-  std::array<std::array<std::uint8_t, 3>, 28> triangles{};          ///< ascending ring numbers
+  std::array<std::array<std::uint8_t, 3>, 28> triangles{};            ///< ascending ring numbers
   std::array<std::array<std::uint8_t, largest - 2>, largest> fans{};  ///< by first vertex: indices into `triangles`
 };
 

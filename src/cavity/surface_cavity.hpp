@@ -17,8 +17,8 @@ struct Apex {
   Tag tag;
 };
 
-/// Within each patch, the border edges of the triangles removed are joined to the apex; so are, within each line, the end
-/// points of the feature edges removed.
+/// Within each patch, the border edges of the triangles removed are joined to the apex; so are, within each line, the
+/// end points of the feature edges removed.
 class SurfaceCavity {
 public:
   static constexpr int capacity = 48;

@@ -17,6 +17,13 @@ int VertexBatch::add(const TetMesh& mesh, VertexId v) {
   return size_++;
 }
 
+Vec3 VertexBatch::weighted_edges(const Vec3& p, std::span<const double> weights) const {
+  Vec3 sum{};
+  for (int i = 0; i < size_; ++i)
+    for (int d = 0; d < 3; ++d) sum[d] += weights[i] * (p[d] - x_[d][i]);
+  return sum;
+}
+
 std::span<const double> VertexBatch::lengths(const Vertex& apex) {
   const Vec3 p = apex.x;
   const Sym3 m = apex.m;
@@ -24,8 +31,8 @@ std::span<const double> VertexBatch::lengths(const Vertex& apex) {
   for (int i = 0; i < lanes; ++i) {
     const double x = x_[0][i] - p[0], y = x_[1][i] - p[1], z = x_[2][i] - p[2];
     const double a = (m[0] * x + 2 * (m[1] * y + m[2] * z)) * x + (m[3] * y + 2 * (m[4] * z)) * y + m[5] * z * z;
-    const double b = (m_[0][i] * x + 2 * (m_[1][i] * y + m_[2][i] * z)) * x +
-                     (m_[3][i] * y + 2 * (m_[4][i] * z)) * y + m_[5][i] * z * z;
+    const double b = (m_[0][i] * x + 2 * (m_[1][i] * y + m_[2][i] * z)) * x + (m_[3][i] * y + 2 * (m_[4][i] * z)) * y +
+                     m_[5][i] * z * z;
     lengths_[i] = simpson_mean(std::sqrt(a), std::sqrt(b));
   }
   return {lengths_.data(), static_cast<std::size_t>(size_)};

@@ -26,6 +26,9 @@ public:
   /// The local number of v, or -1 if there is no room for one more.
   int add(const TetMesh& mesh, VertexId v);
 
+  /// Sum over the vertices of weights[i] (p - x(i)).
+  [[nodiscard]] Vec3 weighted_edges(const Vec3& p, std::span<const double> weights) const;
+
   /// Fast edge lengths (edge_length_fast) from the apex to each vertex; valid until the next call.
   std::span<const double> lengths(const Vertex& apex);
 

@@ -46,7 +46,8 @@ public:
     find_lines();
     tag_vertices();
     for (const Feature& f : inner_edges_)
-      model_.inner_edges.push_back({{mesh_.origin_of_vertex[f.edge[0]], mesh_.origin_of_vertex[f.edge[1]]}, f.ref, f.sharp, f.required});
+      model_.inner_edges.push_back(
+          {{mesh_.origin_of_vertex[f.edge[0]], mesh_.origin_of_vertex[f.edge[1]]}, f.ref, f.sharp, f.required});
     for (const Region& region : model_.regions) model_.has_frozen_region |= region.frozen;
     return std::move(model_);
   }
@@ -71,7 +72,7 @@ private:
     std::map<std::array<VertexId, 2>, Feature> given;
     std::vector<const std::array<VertexId, 2>*> of_input;
     for (std::size_t e = 0; e < input_.edges.size(); ++e) {
-      const auto [a, b] = std::minmax(vertex_of(e, 0), vertex_of(e, 1));
+      const auto [a, b] = std::minmax({vertex_of(e, 0), vertex_of(e, 1)});  // of values: no reference to them is kept
       auto& feature = given[{a, b}];
       feature.edge = {a, b};
       feature.ref = input_.edge_refs.empty() ? 0 : input_.edge_refs[e];
@@ -122,8 +123,7 @@ private:
     const Vec3 &n = area_normal_[s], &m = area_normal_[t];
     // Interfaces may be oriented either way: compare with the orientation in which the edge is run through oppositely.
     const double sign = runs_forward(uses[0]) != runs_forward(uses[1]) ? 1 : -1;
-    if (sign * dot(n, m) <= smooth_cosine_ * norm(n) * norm(m) ||
-        built_.triangle_refs[s] != built_.triangle_refs[t]) {
+    if (sign * dot(n, m) <= smooth_cosine_ * norm(n) * norm(m) || built_.triangle_refs[s] != built_.triangle_refs[t]) {
       feature.sharp = true;
       return feature;
     }

@@ -24,7 +24,7 @@ struct Patch {
 struct Line {
   int ref = 0;
   bool frozen = false;
-  bool sharp = false;     ///< written as a ridge
+  bool sharp = false;  ///< written as a ridge
   bool required = false;
   bool implicit = false;  ///< parts required triangles from others: not written
   Vec3 origin{}, direction{};

@@ -30,7 +30,8 @@ void require_range(const char* what, const std::vector<std::array<Index, n>>& en
     const auto& v = entities[e];
     for (std::size_t k = 0; k < n; ++k) {
       if (v[k] >= points)
-        throw InputError(fmt::format("{} {}: vertex {} found, expected 1..{}", what, e + 1, std::size_t{v[k]} + 1, points));
+        throw InputError(
+            fmt::format("{} {}: vertex {} found, expected 1..{}", what, e + 1, std::size_t{v[k]} + 1, points));
       for (std::size_t j = 0; j < k; ++j)
         if (v[j] == v[k])
           throw InputError(fmt::format("{} {} ({}) repeats vertex {}", what, e + 1, listed(v), v[k] + 1));

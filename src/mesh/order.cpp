@@ -85,6 +85,7 @@ void reorder(TetMesh& mesh) {
   permute(mesh.host_of_vertex, vertices);
   permute(mesh.origin_of_vertex, vertices);
   permute(mesh.restless, vertices);
+  permute(mesh.drift, vertices);
   permute(mesh.tets, tets);
   permute(mesh.region_of_tet, tets);
   permute(mesh.triangles, triangles);

@@ -25,6 +25,7 @@ VertexId TetMesh::add_vertex(const Vertex& vertex, Tag tag, std::uint32_t host) 
     host_of_vertex.push_back(none);
     origin_of_vertex.push_back(none);
     restless.push_back(0);
+    drift.push_back(0);
   }
   const VertexId v = pop(free_vertices_);
   vertices[v] = vertex;
@@ -32,6 +33,7 @@ VertexId TetMesh::add_vertex(const Vertex& vertex, Tag tag, std::uint32_t host) 
   host_of_vertex[v] = host;
   origin_of_vertex[v] = none;
   restless[v] = 1;
+  drift[v] = 0;
   return v;
 }
 

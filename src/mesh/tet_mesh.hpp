@@ -32,7 +32,8 @@ struct Vertex {
 };
 
 /// What has been tried on a tetrahedron since it was made or last moved: a bit an edge and kind, a bit a face.
-enum class Trial : std::uint32_t { insertion = 0, collapse = 6, edge_swap = 12, face_swap = 18 };
+/// Insertion and collapse count as tried for edges of unit length too; `not_unit` marks the others.
+enum class Trial : std::uint32_t { insertion = 0, collapse = 6, edge_swap = 12, face_swap = 18, not_unit = 22 };
 
 /// Positive, face f opposite to vertex f. `quality` is 1/Q and `tried` the bits of Trial.
 struct Tet {
@@ -48,6 +49,25 @@ struct Tet {
   void set_tried(Trial kind, int entity) {
     tried |= 1U << (static_cast<std::uint32_t>(kind) + static_cast<std::uint32_t>(entity));
   }
+  void forget(Trial kind, std::uint32_t entities) { tried &= ~(entities << static_cast<std::uint32_t>(kind)); }
+  /// Insertion and collapse may succeed now where they failed.
+  void forget_lengths() {
+    const std::uint32_t edges = (tried >> static_cast<std::uint32_t>(Trial::not_unit)) & 0x3fU;
+    forget(Trial::insertion, edges);
+    forget(Trial::collapse, edges);
+  }
+  void set_length(int edge, bool unit) {
+    for (const Trial kind : {Trial::insertion, Trial::collapse}) {
+      if (unit)
+        set_tried(kind, edge);
+      else
+        forget(kind, 1U << edge);
+    }
+    if (unit)
+      forget(Trial::not_unit, 1U << edge);
+    else
+      set_tried(Trial::not_unit, edge);
+  }
   [[nodiscard]] int index_of(VertexId vertex) const {
     return v[0] == vertex ? 0 : v[1] == vertex ? 1 : v[2] == vertex ? 2 : 3;
   }
@@ -60,7 +80,7 @@ struct Tet {
 struct Triangle {
   std::array<VertexId, 3> v{none, none, none};
   PatchId patch = 0;
-  std::array<FaceLink, 2> side{};                  ///< faces of tetrahedra, or `outside`
+  std::array<FaceLink, 2> side{};                ///< faces of tetrahedra, or `outside`
   std::array<LineId, 3> line{none, none, none};  ///< feature line on the edge opposite to each vertex
 
   [[nodiscard]] bool alive() const { return v[0] != none; }
@@ -70,11 +90,12 @@ struct Triangle {
 class TetMesh {
 public:
   std::vector<Vertex> vertices;
-  std::vector<TetId> tet_of_vertex;    ///< some tetrahedron of each vertex; `none` for a dead one
+  std::vector<TetId> tet_of_vertex;  ///< some tetrahedron of each vertex; `none` for a dead one
   std::vector<Tag> tag_of_vertex;
-  std::vector<std::uint32_t> host_of_vertex;  ///< where in the background mesh the vertex lies
+  std::vector<std::uint32_t> host_of_vertex;    ///< where in the background mesh the vertex lies
   std::vector<std::uint32_t> origin_of_vertex;  ///< index in the input, or `none`
-  std::vector<std::uint8_t> restless;  ///< set while relocation may still gain at the vertex
+  std::vector<std::uint8_t> restless;           ///< set while relocation may still gain at the vertex
+  std::vector<float> drift;  ///< how far it moved, in the metric, since the swaps around were last tried
 
   std::vector<Tet> tets;
   std::vector<RegionId> region_of_tet;

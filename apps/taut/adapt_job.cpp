@@ -1,0 +1,83 @@
+#include "adapt_job.hpp"
+
+#include <fmt/format.h>
+
+#include "check.hpp"
+
+namespace taut::program {
+namespace {
+
+constexpr const char* examples =
+    "Examples:\n"
+    "  taut adapt wing.meshb --metric wing-met.solb -o adapted.meshb\n"
+    "  taut adapt part.mesh --size 0.05 --surface fixed -o fine.mesh\n"
+    "  taut adapt box.meshb --metric m.solb --gradation 1.3 --hmin 1e-4 -o out.meshb --report out.json";
+
+void add_files(CLI::App& command, AdaptJob& job) {
+  command.add_option("IN", job.input, "mesh to adapt, .mesh or .meshb")->required()->type_name("");
+  command.add_option("-o,--output", job.output, "where the mesh is written; may be IN")->required()->type_name("OUT");
+  command.add_option("--metric", job.metric, "sizes or tensors at the vertices of IN, .sol or .solb")->type_name("SOL");
+  command.add_option("--metric-out", job.metric_out, "where the metric on the result is written")->type_name("SOL");
+  command.add_option("--report", job.report, "where a report is written, .json")->type_name("FILE");
+  command.add_flag("--quiet", job.quiet, "print nothing but errors");
+}
+
+void add_sizes(CLI::App& command, AdaptJob& job) {
+  AdaptOptions& options = job.options;
+  const auto set_size = [&job](const std::string& word) { job.size = number_in(word); };
+  command.add_option_function<std::string>("--size", set_size, "one size everywhere, in place of a metric")
+      ->type_name("H")
+      ->check(positive_number());
+  command.add_option("--hmin", options.hmin, "no wanted size below it")->type_name("H")->check(positive_number());
+  command.add_option("--hmax", options.hmax, "no wanted size above it")->type_name("H")->check(positive_number());
+  const auto set_gradation = [&options](const std::string& word) { options.gradation = number_in(word); };
+  command
+      .add_option_function<std::string>("--gradation", set_gradation,
+                                        "sizes grow by at most this factor per unit length, or off (the default)")
+      ->type_name("BETA")
+      ->check(word_or("off", number([](double x) { return x > 1 && std::isfinite(x); }, "a number above 1")));
+}
+
+void add_surface(CLI::App& command, AdaptOptions& options) {
+  const auto set_surface = [&options](const std::string& word) {
+    options.surface = word == "fixed" ? Surface::fixed : Surface::adapt;
+  };
+  command
+      .add_option_function<std::string>("--surface", set_surface,
+                                        "adapt (the default): planar patches are remeshed; fixed: all triangles stay")
+      ->type_name("WORD")
+      ->check(one_of("adapt", "fixed"));
+  command.add_option("--angle", options.ridge_angle, "degrees between normals from which an edge is a ridge")
+      ->type_name("DEG")
+      ->capture_default_str()
+      ->check(number([](double x) { return x > 0 && x < 180; }, "degrees between 0 and 180"));
+}
+
+void require_one_target(const AdaptJob& job) {
+  if (job.metric.empty() && !job.size)
+    throw InputError("neither --metric nor --size found, expected one of them; see 'taut adapt --help'");
+  if (!job.metric.empty() && job.size)
+    throw InputError("--metric and --size found, expected only one of them; see 'taut adapt --help'");
+}
+
+}  // namespace
+
+void add_options(CLI::App& command, AdaptJob& job) {
+  add_files(command, job);
+  add_sizes(command, job);
+  add_surface(command, job.options);
+  command.add_option("--passes", job.options.passes, "rounds at most; it ends before if nothing gains")
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(count());
+  command.footer(examples);
+}
+
+void require_sound(const AdaptJob& job) {
+  require_one_target(job);
+  if (job.options.hmin > job.options.hmax)
+    throw InputError(fmt::format("--hmin: {} found, expected at most --hmax {}; see 'taut adapt --help'",
+                                 job.options.hmin, job.options.hmax));
+}
+
+}  // namespace taut::program

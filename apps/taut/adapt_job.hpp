@@ -1,0 +1,26 @@
+// What `taut adapt` is asked to do.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "taut/adapt.hpp"
+
+namespace taut::program {
+
+struct AdaptJob {
+  std::string input, metric, output;
+  std::string report, metric_out;  ///< empty: not written
+  std::optional<double> size;      ///< wanted everywhere, in place of a metric
+  bool quiet = false;
+  AdaptOptions options;
+};
+
+/// Adds the options to `command`; they fill `job`, which must outlive it.
+void add_options(CLI::App& command, AdaptJob& job);
+
+/// Throws InputError for options that are sound one by one but not together.
+void require_sound(const AdaptJob& job);
+
+}  // namespace taut::program

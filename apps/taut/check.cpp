@@ -1,0 +1,54 @@
+#include "check.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace taut::program {
+
+std::optional<double> number_in(std::string_view word) {
+  double value = 0;
+  const char* end = word.data() + word.size();
+  const auto [last, error] = std::from_chars(word.data(), end, value);
+  if (error != std::errc{} || last != end) return std::nullopt;
+  return value;
+}
+
+CLI::Validator number(std::function<bool(double)> fits, std::string expected) {
+  const auto check = [fits = std::move(fits), expected = std::move(expected)](const std::string& word) {
+    const std::optional<double> value = number_in(word);
+    return value && fits(*value) ? std::string() : fmt::format("{} found, expected {}", word, expected);
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator positive_number() {
+  return number([](double x) { return x > 0 && std::isfinite(x); }, "a number above 0");
+}
+
+CLI::Validator count() {
+  constexpr int most = std::numeric_limits<int>::max();
+  return number([](double x) { return x >= 0 && x <= most && x == std::floor(x); }, "a whole number, 0 or more");
+}
+
+CLI::Validator word_or(std::string word, const CLI::Validator& other) {
+  const auto check = [word = std::move(word), other](const std::string& found) {
+    if (found == word) return std::string();
+    const std::string complaint = other(found);
+    return complaint.empty() ? complaint : fmt::format("{}, or {}", complaint, word);
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator one_of(std::string first, std::string second) {
+  const auto check = [first = std::move(first), second = std::move(second)](const std::string& word) {
+    if (word == first || word == second) return std::string();
+    return fmt::format("{} found, expected {} or {}", word, first, second);
+  };
+  return CLI::Validator(check, "");
+}
+
+}  // namespace taut::program

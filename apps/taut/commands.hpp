@@ -1,0 +1,17 @@
+// The subcommands. Each adds itself to the command line and, when it is chosen, sets the job to do.
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace taut::program {
+
+using Job = std::function<void()>;
+
+void add_adapt(CLI::App& app, Job& job);
+void add_quality(CLI::App& app, Job& job);
+
+}  // namespace taut::program

@@ -1,0 +1,59 @@
+#include "files.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <system_error>
+
+#include "taut/io.hpp"
+
+namespace taut::program {
+namespace {
+
+void require_extension(const std::string& file, std::span<const std::string_view> extensions) {
+  const std::string found = std::filesystem::path(file).extension().string();
+  if (std::ranges::find(extensions, found) != extensions.end()) return;
+  throw InputError(
+      fmt::format("{}: unknown extension \"{}\", expected {}", file, found, fmt::join(extensions, " or ")));
+}
+
+// A failure of the library is a failure of the work; here no work has begun and the name is what is wrong.
+void require_place(const std::string& file) {
+  try {
+    require_writable(file);
+  } catch (const Failure& failure) {
+    throw InputError(failure.what());
+  }
+}
+
+}  // namespace
+
+void require_output(const std::string& file, std::span<const std::string_view> extensions) {
+  if (file.empty()) return;
+  require_extension(file, extensions);
+  require_place(file);
+}
+
+void write_text(const std::string& file, std::string_view text) {
+  const std::string temporary = fmt::format("{}.{:08x}.tmp", file, std::random_device{}());
+  std::ofstream out(temporary, std::ios::binary);
+  out << text;
+  out.close();
+  std::error_code error;
+  if (out) std::filesystem::rename(temporary, file, error);
+  if (out && !error) return;
+  std::filesystem::remove(temporary, error);
+  throw Failure(fmt::format("{}: cannot be written", file));
+}
+
+std::string with_file(std::string_view message, std::string_view mesh, std::string_view metric) {
+  constexpr std::string_view about_metric = "metric: ";
+  if (!message.starts_with(about_metric)) return fmt::format("{}: {}", mesh, message);
+  return fmt::format("{}: {}", metric, message.substr(about_metric.size()));
+}
+
+}  // namespace taut::program

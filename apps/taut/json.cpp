@@ -1,0 +1,94 @@
+#include "json.hpp"
+
+#include <fmt/format.h>
+
+#include <span>
+
+namespace taut::program {
+namespace {
+
+Json null_if_empty(const std::string& text) {
+  return text.empty() ? Json() : Json(text);
+}
+
+Json null_if_none(const std::optional<double>& number) {
+  return number ? Json(*number) : Json();
+}
+
+Json histogram(std::span<const double> bounds, std::span<const std::size_t> counts) {
+  Json bins = Json::array();
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const double to = bounds[i + 1];
+    bins.push_back({{"from", bounds[i]}, {"to", to < 1e300 ? Json(to) : Json()}, {"count", counts[i]}});
+  }
+  return bins;
+}
+
+Json json_of(const PassReport& pass) {
+  Json refused = Json::object();
+  for (const auto& [reason, count] : pass.refused) refused[reason] = count;
+  return {{"name", pass.name},         {"scanned", pass.scanned}, {"tried", pass.tried},
+          {"accepted", pass.accepted}, {"refused", refused},      {"seconds", pass.seconds}};
+}
+
+void add_lengths(Json& json, const Quality& q) {
+  json.update({{"complexity", q.complexity}, {"tau", q.tau}, {"unit_edges", q.unit_edges}});
+  json["length_histogram"] = histogram(Quality::length_bounds, q.length_histogram);
+}
+
+}  // namespace
+
+Json json_of(const Quality& q, bool in_metric) {
+  Json json = {{"vertices", q.vertices},
+               {"edges", q.edges},
+               {"triangles", q.triangles},
+               {"tetrahedra", q.tetrahedra},
+               {"volume", q.volume},
+               {"length_min", q.length_min},
+               {"length_max", q.length_max},
+               {"Q_max", q.Q_max},
+               {"Q_mean", q.Q_mean},
+               {"Q_up_to_2", q.Q_up_to_2},
+               {"Q_up_to_3", q.Q_up_to_3},
+               {"mean_ratio_min", q.mean_ratio_min},
+               {"mean_ratio_mean", q.mean_ratio_mean}};
+  if (in_metric) add_lengths(json, q);
+  json["Q_histogram"] = histogram(Quality::Q_bounds, q.Q_histogram);
+  return json;
+}
+
+Json json_of(const Report& report) {
+  Json passes = Json::array(), seconds = Json::object();
+  for (const PassReport& pass : report.passes) passes.push_back(json_of(pass));
+  for (const auto& [phase, time] : report.seconds) seconds[phase] = time;
+  return {{"rounds", report.rounds},
+          {"cancelled", report.cancelled},
+          {"passes", passes},
+          {"seconds", seconds},
+          {"reoriented", report.reoriented},
+          {"triangles_built", report.triangles_built},
+          {"triangles_frozen", report.triangles_frozen},
+          {"hash", fmt::format("{:016x}", report.hash)}};
+}
+
+Json json_of(const AdaptJob& job) {
+  const AdaptOptions& o = job.options;
+  return {{"input", job.input},
+          {"metric", null_if_empty(job.metric)},
+          {"output", job.output},
+          {"metric_out", null_if_empty(job.metric_out)},
+          {"options",
+           {{"size", null_if_none(job.size)},
+            {"surface", o.surface == Surface::fixed ? "fixed" : "adapt"},
+            {"hmin", o.hmin},
+            {"hmax", o.hmax},
+            {"gradation", null_if_none(o.gradation)},
+            {"angle", o.ridge_angle},
+            {"passes", o.passes}}}};
+}
+
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace taut::program

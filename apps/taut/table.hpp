@@ -1,0 +1,17 @@
+// Measures and reports as text for people.
+#pragma once
+
+#include <string>
+
+#include "taut/adapt.hpp"
+#include "taut/quality.hpp"
+
+namespace taut::program {
+
+/// Counts, measures and histograms. Without a metric the wanted lengths are unknown, and what needs them is left out.
+[[nodiscard]] std::string quality_table(const Quality& quality, bool in_metric);
+
+/// Operations and seconds, pass by pass, then the phases outside the passes.
+[[nodiscard]] std::string work_table(const Report& report);
+
+}  // namespace taut::program

@@ -1,0 +1,53 @@
+// Text files: a keyword is a token that begins with a letter. Unknown ones end the block before them and are passed
+// over.
+#include <fmt/format.h>
+
+#include "io/index.hpp"
+#include "io/text_cursor.hpp"
+
+namespace taut::gmf {
+namespace {
+
+constexpr bool is_letter(char c) {
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+/// Calls visit(keyword or null, begin, end) with the place of each token that begins with a letter, until it says
+/// false.
+template <class Visitor>
+void for_each_word(const char* begin, const char* end, Visitor visit) {
+  for (const char* p = skip_blank(begin, end); p != end;) {
+    const char* stop = token_end(p, end);
+    if (is_letter(*p) && !visit(find_keyword({p, stop}), p, stop)) return;
+    p = skip_blank(stop, end);
+  }
+}
+
+void read_version(GmfFile& file) {
+  if (file.blocks.empty() || file.blocks.front().code != Code::version) {
+    file.fail("not a Gamma Mesh Format file: it does not begin with MeshVersionFormatted");
+  }
+  TextCursor in(file, file.blocks.front());
+  const std::int64_t version = in.integer();
+  if (version < 1 || version > 4) in.fail(fmt::format("{} found, expected 1..4", version));
+  in.finish();
+  file.version = static_cast<int>(version);
+}
+
+}  // namespace
+
+void index_text(GmfFile& file) {
+  const char* begin = file.bytes.data.get();
+  const char* end = begin + file.bytes.size;
+  const auto offset = [&](const char* p) { return static_cast<std::size_t>(p - begin); };
+  bool open = false;  // the last block lasts until the word now met
+  for_each_word(begin, end, [&](const Keyword* keyword, const char* word, const char* stop) {
+    if (open) file.blocks.back().end = offset(word);
+    open = keyword != nullptr && keyword->code != Code::end;
+    if (open) file.add({keyword->code, offset(stop), file.bytes.size});
+    return keyword == nullptr || open;
+  });
+  read_version(file);
+}
+
+}  // namespace taut::gmf

@@ -1,0 +1,25 @@
+// Small meshes and metrics as the text of files.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "taut/mesh.hpp"
+#include "taut/metric.hpp"
+
+namespace taut::test {
+
+/// Two tetrahedra that share the face (2 3 4), without triangles.
+extern const std::string two_tets;
+
+[[nodiscard]] std::string mesh_text(const Mesh& mesh);
+[[nodiscard]] std::string metric_text(const Sizes& sizes);
+[[nodiscard]] std::string metric_text(const Tensors& tensors);
+
+/// The unit cube as n^3 boxes with all its boundary triangles.
+[[nodiscard]] Mesh cube(Index n);
+
+/// `text` with the one place where `old` stands changed.
+[[nodiscard]] std::string changed(std::string text, std::string_view old, std::string_view now);
+
+}  // namespace taut::test
