@@ -18,11 +18,11 @@ public:
     for (round_ = 0; round_ < options_.passes && !report_.cancelled; ++round_) {
       const Gain gain = round();
       ++report_.rounds;
-      if (kernel_.mesh.tets.size() > growth_ * tets_when_ordered_) put_in_order();
+      if (kernel_.mesh.tets.size() > tets_when_ordered_ + tets_when_ordered_ / 2) put_in_order();
       if (is_settled(gain)) break;
     }
     put_in_order();
-    for (const Tally* tally : {&insertion_, &collapse_, &edge_swap_, &face_swap_, &relocation_})
+    for (const Tally* tally : {&insertion_, &collapse_, &edge_swap_, &face_swap_, &relocation_, &repair_})
       report_.passes.push_back(tally->report());
     report_.seconds.emplace_back("order", order_seconds_);
   }
@@ -33,16 +33,23 @@ private:
     double efficiency = 0;  ///< of log tau, by relocation
   };
 
+  // While the mesh still grows, swaps mend what is bad only: what is fair will change anyway. Then they follow every
+  // second relocation, which gives the vertices time to settle between two changes of topology.
   Gain round() {
     const std::size_t before = insertion_.accepted() + collapse_.accepted();
     kernel_.efficiency_gain = 0;
     pass(insertion_, [&] { insertion_pass(kernel_, {}, insertion_); });
     pass(collapse_, [&] { collapse_pass(kernel_, {}, collapse_); });
-    pass(edge_swap_, [&] { swap_pass(kernel_, {.good_enough = 0.8}, edge_swap_, face_swap_); });
+    if (grows_)
+      pass(edge_swap_, [&] { swap_pass(kernel_, {.good_enough = 0.6}, edge_swap_, face_swap_); });
+    else if (round_ % 2 == 0)
+      pass(edge_swap_, [&] { swap_pass(kernel_, {.good_enough = 0.8}, edge_swap_, face_swap_); });
+    if (!grows_) pass(repair_, [&] { repair_pass(kernel_, {}, repair_); });
     pass(relocation_, [&] { relocation_pass(kernel_, {}, relocation_); });
     const auto tets = static_cast<double>(kernel_.mesh.tet_count());
-    const auto changed = static_cast<double>(insertion_.accepted() + collapse_.accepted() - before);
-    return {changed / tets, kernel_.efficiency_gain / (edges_per_tet_ * tets)};
+    const double changed = static_cast<double>(insertion_.accepted() + collapse_.accepted() - before) / tets;
+    grows_ = changed > growing_;
+    return {changed, kernel_.efficiency_gain / (edges_per_tet_ * tets)};
   }
 
   [[nodiscard]] bool is_settled(const Gain& gain) const {
@@ -68,8 +75,9 @@ private:
     order_seconds_ += watch.seconds();
   }
 
-  static constexpr double growth_ = 1.5;             // of the mesh from which locality is restored
-  static constexpr int fewest_rounds_ = 2;           // swaps answer the first relocation, relocation the first swaps
+  static constexpr double growth_ = 1.5;    // of the mesh from which locality is restored
+  static constexpr double growing_ = 0.05;  // vertices made and removed in a round, as a share of the tetrahedra
+  static constexpr int fewest_rounds_ = 2;  // swaps answer the first relocation, relocation the first swaps
   static constexpr double settled_changes_ = 0.002;  // below these a round gains less than it costs
   static constexpr double settled_efficiency_ = 2e-4;
   static constexpr double edges_per_tet_ = 1.19;  // of a mesh of good tetrahedra with some boundary
@@ -78,9 +86,11 @@ private:
   const AdaptOptions& options_;
   Report& report_;
   int round_ = 0;
-  double tets_when_ordered_ = 0, order_seconds_ = 0;
+  bool grows_ = true;
+  std::size_t tets_when_ordered_ = 0;
+  double order_seconds_ = 0;
   Tally insertion_{"insert"}, collapse_{"collapse"}, edge_swap_{"swap"}, face_swap_{"swap faces"},
-      relocation_{"relocate"};
+      relocation_{"relocate"}, repair_{"repair"};
 };
 
 }  // namespace

@@ -6,6 +6,8 @@ namespace {
 constexpr double clearly_long = 1.6;  // a longer edge must be split even if that makes short ones
 constexpr double loose_filter = 0.35;
 
+constexpr TetId reach = 4;  // how far ahead of a sweep memory is asked for
+
 // Calls visit(t) for the tetrahedra that exist when the pass begins: draining what the pass itself makes gives poor
 // meshes, for the swaps and relocations between two passes decide where the next vertices belong.
 template <class Visit>
@@ -13,6 +15,17 @@ void for_each_tet(const TetMesh& mesh, Visit visit) {
   const auto count = static_cast<TetId>(mesh.tets.size());
   for (TetId t = 0; t < count; ++t)
     if (mesh.tets[t].alive()) visit(t);
+}
+
+// Asks for what the shells of a tetrahedron a few places on will read: walking them is waiting for memory otherwise.
+void prefetch_around(const TetMesh& mesh, TetId t) {
+  if (t >= mesh.tets.size()) return;
+  const Tet& tet = mesh.tets[t];
+  if (!tet.alive()) return;
+  for (int k = 0; k < 4; ++k) {
+    __builtin_prefetch(&mesh.vertices[tet.v[k]]);
+    if (!tet.n[k].is_triangle()) __builtin_prefetch(&mesh.tets[tet.n[k].tet()]);
+  }
 }
 
 bool any_untried(const Tet& tet, Trial kind, std::uint32_t entities) {
@@ -71,6 +84,7 @@ void collapse_pass(Kernel& kernel, const CollapseRules& rules, Tally& tally) {
 
 void swap_pass(Kernel& kernel, const SwapRules& rules, Tally& edges, Tally& faces) {
   for_each_tet(kernel.mesh, [&](TetId t) {
+    prefetch_around(kernel.mesh, t + reach);
     const Tet& tet = kernel.mesh.tets[t];
     if (tet.quality > rules.good_enough) return;
     edges.scan();
@@ -83,11 +97,21 @@ void swap_pass(Kernel& kernel, const SwapRules& rules, Tally& edges, Tally& face
   });
 }
 
+void repair_pass(Kernel& kernel, const RepairRules& rules, Tally& tally) {
+  for_each_tet(kernel.mesh, [&](TetId t) {
+    if (kernel.mesh.tets[t].quality > rules.bad) return;
+    tally.scan();
+    tally.record(repair(kernel, t, rules));
+  });
+}
+
 void relocation_pass(Kernel& kernel, const RelocationRules& rules, Tally& tally) {
   const auto count = static_cast<VertexId>(kernel.mesh.vertices.size());
   for (VertexId v = 0; v < count; ++v) {
     if (!kernel.mesh.is_vertex_alive(v) || kernel.mesh.restless[v] == 0) continue;
     tally.scan();
+    if (v + reach < count && kernel.mesh.is_vertex_alive(v + reach))
+      __builtin_prefetch(&kernel.mesh.tets[kernel.mesh.tet_of_vertex[v + reach]]);
     tally.record(relocate(kernel, v, rules));
   }
 }

@@ -7,6 +7,7 @@
 #include "cavity/insertion.hpp"
 #include "cavity/kernel.hpp"
 #include "cavity/relocation.hpp"
+#include "cavity/repair.hpp"
 #include "cavity/swap.hpp"
 
 namespace taut {
@@ -19,6 +20,9 @@ void collapse_pass(Kernel& kernel, const CollapseRules& rules, Tally& tally);
 
 /// Swaps edges and faces of the tetrahedra whose 1/Q is not above rules.good_enough.
 void swap_pass(Kernel& kernel, const SwapRules& rules, Tally& edges, Tally& faces);
+
+/// Mends the few tetrahedra that the other passes leave bad.
+void repair_pass(Kernel& kernel, const RepairRules& rules, Tally& tally);
 
 /// Moves each restless vertex once.
 void relocation_pass(Kernel& kernel, const RelocationRules& rules, Tally& tally);

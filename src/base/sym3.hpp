@@ -29,6 +29,12 @@ constexpr Vec3 operator*(const Sym3& m, const Vec3& e) {
           m[2] * e[0] + m[4] * e[1] + m[5] * e[2]};
 }
 
+/// det(M) M^-1.
+constexpr Sym3 adjugate(const Sym3& m) {
+  return {m[3] * m[5] - m[4] * m[4], m[2] * m[4] - m[1] * m[5], m[1] * m[4] - m[2] * m[3],
+          m[0] * m[5] - m[2] * m[2], m[1] * m[2] - m[0] * m[4], m[0] * m[3] - m[1] * m[1]};
+}
+
 constexpr double determinant(const Sym3& m) {
   return m[0] * (m[3] * m[5] - m[4] * m[4]) - m[1] * (m[1] * m[5] - m[4] * m[2]) + m[2] * (m[1] * m[4] - m[3] * m[2]);
 }

@@ -51,19 +51,7 @@ Step rewind(const TetMesh& mesh, const Step& first) {
 }  // namespace
 
 bool collect_ball(const TetMesh& mesh, VertexId v, TetSet& ball) {
-  ball.clear();
-  (void)ball.add(mesh.tet_of_vertex[v]);
-  for (int i = 0; i < ball.size(); ++i) {
-    const Tet& tet = mesh.tets[ball[i]];
-    const int at = tet.index_of(v);
-    for (int f = 0; f < 4; ++f) {
-      if (f == at) continue;
-      const FaceLink link = mesh.beyond(ball[i], f);
-      if (link == outside || ball.contains(link.tet())) continue;
-      if (!ball.add(link.tet())) return false;
-    }
-  }
-  return true;
+  return walk_ball(mesh, v, ball, [](const Tet&, int, VertexId) {});
 }
 
 bool collect_shell(const TetMesh& mesh, TetId t, int edge, Shell& shell) {

@@ -8,7 +8,32 @@
 
 namespace taut {
 
-/// All tetrahedra at v, those across interfaces too. False if there is no room for them.
+/// All tetrahedra at v, those across interfaces too. Calls visit(tet, number of v in it, the vertex by which it differs
+/// from one met before; `none` for the first) for each. False if there is no room for them.
+template <class Visit>
+[[nodiscard]] bool walk_ball(const TetMesh& mesh, VertexId v, TetSet& ball, Visit visit) {
+  ball.clear();
+  std::array<std::int8_t, TetSet::capacity> came_by;  // the face that need not be crossed back
+  (void)ball.add(mesh.tet_of_vertex[v]);
+  came_by[0] = -1;
+  for (int i = 0; i < ball.size(); ++i) {
+    const Tet& tet = mesh.tets[ball[i]];
+    const int at = tet.index_of(v);
+    visit(tet, at, i == 0 ? none : tet.v[came_by[i]]);
+    for (int f = 0; f < 4; ++f) {
+      if (f == at || f == came_by[i]) continue;
+      const FaceLink link = mesh.beyond(ball[i], f);
+      if (link == outside || ball.contains(link.tet())) continue;
+      if (ball.size() == TetSet::capacity) return false;
+      __builtin_prefetch(&mesh.tets[link.tet()]);  // read only when its turn comes
+      came_by[ball.size()] = static_cast<std::int8_t>(link.face());
+      (void)ball.add(link.tet());
+    }
+  }
+  return true;
+}
+
+/// The same without a visit.
 [[nodiscard]] bool collect_ball(const TetMesh& mesh, VertexId v, TetSet& ball);
 
 /// The tetrahedra round an edge ab. Tetrahedron i is positive as (a, b, ring[i], ring[i+1]), modulo the ring's size if

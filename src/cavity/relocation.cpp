@@ -45,25 +45,49 @@ public:
     return refusal;
   }
 
+  // Away from the worst tetrahedron's opposite face, orthogonally in the metric, by shares of a unit length.
+  Refusal lift(double gain) {
+    if (const Refusal refusal = gather(); refusal != Refusal::accepted) return refusal;
+    (void)wanted_step();
+    by_forces_ = false;
+    gain_ = gain;
+    int worst = 0;
+    for (int i = 1; i < k_.cavity.tets.size(); ++i)
+      if (mesh_.tets[k_.cavity.tets[i]].quality < mesh_.tets[k_.cavity.tets[worst]].quality) worst = i;
+    const TetId t = k_.cavity.tets[worst];
+    const auto face = mesh_.face(t, mesh_.tets[t].index_of(v_));
+    const Vec3 inward = cross(mesh_.x(face[2]) - mesh_.x(face[0]), mesh_.x(face[1]) - mesh_.x(face[0]));
+    const Vec3 direction = adjugate(old_.m) * inward;
+    const double length = std::sqrt(quadratic_form(old_.m, direction));
+    Refusal refusal = Refusal::no_candidate;
+    for (const double share : {0.5, 0.25, 0.12, 0.06}) {
+      refusal = attempt((share / length) * direction);
+      if (refusal == Refusal::accepted) return refusal;
+    }
+    return refusal;
+  }
+
 private:
+  // The ball first, then its vertices: what the walk finds is on its way from memory when it is needed.
   Refusal gather() {
-    TetSet& ball = k_.cavity.tets;
-    if (!collect_ball(mesh_, v_, ball)) return Refusal::too_large;
-    if (k_.any_frozen(ball.span())) return Refusal::frozen;
+    old_quality_ = 1;
+    std::array<std::array<VertexId, 4>, TetSet::capacity> faces;  // opposite to v, and the vertex not met before
+    int count = 0;
+    const auto visit = [&](const Tet& tet, int at, VertexId fresh) {
+      const auto& corner = face_vertices[at];
+      faces[count++] = {tet.v[corner[0]], tet.v[corner[1]], tet.v[corner[2]], fresh};
+      if (fresh != none) __builtin_prefetch(&mesh_.vertices[fresh]);
+      old_quality_ = std::min(old_quality_, double{tet.quality});
+    };
+    if (!walk_ball(mesh_, v_, k_.cavity.tets, visit)) return Refusal::too_large;
+    if (k_.any_frozen(k_.cavity.tets.span())) return Refusal::frozen;
     k_.batch.clear();
     k_.neighbours.clear();
-    old_quality_ = 1;
-    for (int i = 0; i < ball.size(); ++i) {
-      const Tet& tet = mesh_.tets[ball[i]];
-      const auto& corner = face_vertices[tet.index_of(v_)];
-      for (int k = 0; k < 3; ++k) {
-        const int local = k_.neighbours.add(mesh_, tet.v[corner[k]]);
-        if (local < 0) return Refusal::too_large;
-        local_[i][k] = static_cast<std::uint8_t>(local);
-      }
-      const auto at = [&](int k) -> const Vertex& { return mesh_.vertices[tet.v[corner[k]]]; };
-      k_.batch.push(at(0), at(1), at(2));
-      old_quality_ = std::min(old_quality_, double{tet.quality});
+    for (int k = 0; k < 3; ++k) (void)k_.neighbours.add(mesh_, faces[0][k]);
+    for (int i = 0; i < count; ++i) {
+      const auto& [a, b, c, fresh] = faces[i];
+      if (fresh != none && k_.neighbours.add(mesh_, fresh) < 0) return Refusal::too_large;
+      k_.batch.push(mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]);
     }
     return Refusal::accepted;
   }
@@ -77,25 +101,26 @@ private:
 
   Vec3 wanted_step() {
     const auto lengths = k_.neighbours.lengths(old_);
+    const int count = static_cast<int>(lengths.size());
+    std::array<double, VertexBatch::capacity> pull;
+    for (int i = 0; i < count; ++i) pull[i] = pulls(k_.neighbours.id(i)) ? 1 : 0;
+    double pulling = 0;
     shortest_ = 1e9;
     longest_ = 0;
-    int count = 0;
-    std::array<double, VertexBatch::capacity> weights;
-    for (int i = 0; i < k_.neighbours.size(); ++i) {
-      if (lengths[i] < shortest_unit || lengths[i] > longest_unit) not_unit_ = true;
+    for (int i = 0; i < count; ++i) {
+      not_unit_ |= lengths[i] < shortest_unit || lengths[i] > longest_unit;
       old_phi_ += efficiency_phi(lengths[i]);
-      weights[i] = 0;
-      if (!pulls(k_.neighbours.id(i))) continue;
-      weights[i] = 1 / lengths[i];
+      if (pull[i] == 0) continue;
       shortest_ = std::min(shortest_, lengths[i]);
       longest_ = std::max(longest_, lengths[i]);
-      ++count;
+      ++pulling;
     }
     by_forces_ = old_quality_ > decent_quality && shortest_ > decent_shortest && longest_ < decent_longest;
-    for (int i = 0; i < k_.neighbours.size(); ++i)
-      weights[i] = by_forces_ ? weights[i] * force(lengths[i]) : weights[i] == 0 ? 0 : weights[i] - 1;
-    const double scale = by_forces_ ? rules_.factor : count == 0 ? 0 : 1.0 / count;
-    return scale * k_.neighbours.weighted_edges(old_.x, weights);
+    if (by_forces_)
+      for (int i = 0; i < count; ++i) pull[i] *= rules_.factor * force(lengths[i]) / lengths[i];
+    else
+      for (int i = 0; i < count; ++i) pull[i] *= (1 / lengths[i] - 1) / pulling;
+    return k_.neighbours.weighted_edges(old_.x, {pull.data(), lengths.size()});
   }
 
   Refusal attempt(const Vec3& step) {
@@ -104,7 +129,7 @@ private:
     std::uint32_t host = mesh_.host_of_vertex[v_];
     moved.m = k_.target.at(moved.x, host);
     k_.batch.evaluate(moved);
-    const double bound = by_forces_ ? std::max(quality_kept * old_quality_, least_quality) : 1.02 * old_quality_;
+    const double bound = by_forces_ ? std::max(quality_kept * old_quality_, least_quality) : gain_ * old_quality_;
     for (int i = 0; i < k_.batch.size(); ++i)
       if (!(k_.batch.quality[i] > bound)) return Refusal::quality;
     if (by_forces_ && !lengths_hold(moved)) return Refusal::long_edge;
@@ -166,19 +191,19 @@ private:
     for (int i = 0; i < k_.batch.size(); ++i) {
       Tet& tet = mesh_.tets[k_.cavity.tets[i]];
       const int at = tet.index_of(v_);
-      for (int k = 0; k < 3; ++k) tet.set_length(edge_between[at][face_vertices[at][k]], unit[local_[i][k]]);
+      for (int k : face_vertices[at]) tet.set_length(edge_between[at][k], unit[k_.neighbours.find(tet.v[k])]);
     }
   }
 
   Kernel& k_;
   TetMesh& mesh_;
   const VertexId v_;
-  const RelocationRules& rules_;
+  const RelocationRules rules_;
   const Vertex old_;
   const Tag tag_;
   double old_quality_ = 1, old_phi_ = 0, shortest_ = 0, longest_ = 0;
+  double gain_ = 1.02;
   bool by_forces_ = false, not_unit_ = false;
-  std::array<std::array<std::uint8_t, 3>, TetSet::capacity> local_;  // numbers among the neighbours
 };
 
 }  // namespace
@@ -187,6 +212,11 @@ Refusal relocate(Kernel& kernel, VertexId v, const RelocationRules& rules) {
   kernel.mesh.restless[v] = 0;
   if (kernel.mesh.tag_of_vertex[v].dimension == 0) return Refusal::geometry;
   return Relocation(kernel, v, rules).run();
+}
+
+Refusal lift(Kernel& kernel, VertexId v, double gain) {
+  if (kernel.mesh.tag_of_vertex[v].dimension == 0) return Refusal::geometry;
+  return Relocation(kernel, v, {}).lift(gain);
 }
 
 }  // namespace taut

@@ -17,4 +17,8 @@ struct RelocationRules {
 /// must improve the worst quality. On a patch or line it stays there. Clears `restless` of v unless it moved far.
 Refusal relocate(Kernel& kernel, VertexId v, const RelocationRules& rules);
 
+/// Moves v off the face opposite to it in the worst tetrahedron of its ball, if the worst 1/Q grows by the factor
+/// `gain`.
+Refusal lift(Kernel& kernel, VertexId v, double gain);
+
 }  // namespace taut

@@ -7,7 +7,7 @@ namespace taut {
 
 struct SwapRules {
   double good_enough = 0.95;      ///< nothing is tried where the worst 1/Q is above it
-  double poor = 0.6;              ///< faces are tried only of tetrahedra whose 1/Q is not above it
+  double poor = 0.3;              ///< faces are tried only of tetrahedra whose 1/Q is not above it
   double gain = 1.02;             ///< the worst 1/Q must grow by this factor
   double longest_new_edge = 1.6;  ///< unless the edge that goes is longer
 };

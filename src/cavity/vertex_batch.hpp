@@ -21,6 +21,7 @@ public:
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] VertexId id(int i) const { return ids_[i]; }
   [[nodiscard]] Vec3 x(int i) const { return {x_[0][i], x_[1][i], x_[2][i]}; }
+  [[nodiscard]] int find(VertexId v) const { return local_of_.find(v); }
   [[nodiscard]] bool contains(VertexId v) const { return local_of_.contains(v); }
 
   /// The local number of v, or -1 if there is no room for one more.

@@ -29,7 +29,8 @@ std::string name_of(FaceLink link) {
 /// Each member returns the first fault that it finds, or nothing.
 class Inspector {
 public:
-  explicit Inspector(const TetMesh& mesh) : mesh_(mesh) {}
+  Inspector(const TetMesh& mesh, std::span<const int> region_refs) : mesh_(mesh), region_refs_(region_refs) {}
+  Inspector(const TetMesh& mesh, std::span<const TetId> among) : mesh_(mesh), among_(among) {}
 
   [[nodiscard]] std::string tet(TetId t) const {
     if (t >= mesh_.tets.size() || !mesh_.tets[t].alive()) return fmt::format("tetrahedron {} is dead", t);
@@ -81,8 +82,13 @@ private:
     if (!opposite_cycle(mesh_.face(t, f), mesh_.face(link.tet(), link.face())))
       return fmt::format("vertices {} against {}", fmt::join(mesh_.face(t, f), " "),
                          fmt::join(mesh_.face(link.tet(), link.face()), " "));
-    if (mesh_.region_of_tet[t] != mesh_.region_of_tet[link.tet()]) return "parts two regions without a triangle";
-    return {};
+    return may_meet(t, link.tet()) ? "" : "parts two regions without a triangle";
+  }
+
+  [[nodiscard]] bool may_meet(TetId t, TetId u) const {
+    const RegionId a = mesh_.region_of_tet[t], b = mesh_.region_of_tet[u];
+    if (a == b || (!among_.empty() && std::ranges::find(among_, u) == among_.end())) return true;
+    return !region_refs_.empty() && region_refs_[a] == region_refs_[b];
   }
 
   [[nodiscard]] std::string triangle_side(TriangleId id, int s) const {
@@ -100,6 +106,8 @@ private:
   }
 
   const TetMesh& mesh_;
+  std::span<const int> region_refs_;  // empty: no two regions may meet
+  std::span<const TetId> among_;      // tetrahedra of which regions are compared; empty: all
 };
 
 bool vertex_arrays_agree(const TetMesh& m) {
@@ -127,9 +135,9 @@ std::string first_wrong_count(const TetMesh& m) {
 
 }  // namespace
 
-std::string first_broken_invariant(const TetMesh& mesh) {
+std::string first_broken_invariant(const TetMesh& mesh, std::span<const int> region_refs) {
   if (std::string fault = first_wrong_count(mesh); !fault.empty()) return fault;
-  const Inspector inspect(mesh);
+  const Inspector inspect(mesh, region_refs);
   for (VertexId v = 0; v < mesh.vertices.size(); ++v)
     if (mesh.is_vertex_alive(v))
       if (std::string fault = inspect.vertex(v); !fault.empty()) return fault;
@@ -143,7 +151,7 @@ std::string first_broken_invariant(const TetMesh& mesh) {
 }
 
 std::string first_broken_invariant(const TetMesh& mesh, std::span<const TetId> tets) {
-  const Inspector inspect(mesh);
+  const Inspector inspect(mesh, tets);
   for (TetId t : tets)
     if (std::string fault = inspect.tet(t); !fault.empty()) return fault;
   return {};
