@@ -36,10 +36,10 @@ struct AdaptOptions {
   Surface surface = Surface::adapt;
   double hmin = 0;                                        ///< no wanted size below it
   double hmax = std::numeric_limits<double>::infinity();  ///< no wanted size above it
-  std::optional<double> gradation;  ///< sizes grow by at most this factor (> 1) per unit length; none: as given
-  double ridge_angle = 45;          ///< degrees between the normals of two triangles from which their edge is a ridge
+  std::optional<double> gradation{};  ///< sizes grow by at most this factor (> 1) per unit length; none: as given
+  double ridge_angle = 45;            ///< degrees between the normals of two triangles from which their edge is a ridge
   int passes = 40;  ///< rounds of insertion, collapse, swaps and relocation at most; it ends before if nothing gains
-  ProgressCallback progress;
+  ProgressCallback progress{};
 };
 
 /// Operations of one kind over the whole run: how many were looked at, and what became of them.

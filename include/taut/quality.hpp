@@ -34,7 +34,8 @@ struct Quality {
 /// Measures `mesh` in `metric`, given at its points or as a function. Throws InputError if they do not fit.
 [[nodiscard]] Quality measure(const Mesh& mesh, const Metric& metric);
 
-/// Checks the mesh on its own: each string names one kind of defect, how often it occurs and the first place.
+/// Checks the mesh on its own: each string names one kind of defect, how often it occurs and the first
+/// place, counted from 1 as in files.
 /// Checked: indices in range, finite coordinates, orientation (exact), faces shared by more than two tetrahedra,
 /// triangles that are no face, boundary faces or faces between regions without triangle, duplicates, unused points.
 [[nodiscard]] std::vector<std::string> defects(const Mesh& mesh);

@@ -1,5 +1,7 @@
 #include "taut/adapt.hpp"
 
+#include <utility>
+
 #include "adapt/passes.hpp"
 #include "adapt/result.hpp"
 #include "adapt/setup.hpp"
@@ -15,11 +17,12 @@ public:
 
   void run() {
     tets_when_ordered_ = kernel_.mesh.tet_count();
+    Gain gain;
     for (round_ = 0; round_ < options_.passes && !report_.cancelled; ++round_) {
-      const Gain gain = round();
+      const Gain last = std::exchange(gain, round());
       ++report_.rounds;
       if (kernel_.mesh.tets.size() > tets_when_ordered_ + tets_when_ordered_ / 2) put_in_order();
-      if (is_settled(gain)) break;
+      if (round_ > 0 && is_settled(gain, last)) break;
     }
     put_in_order();
     for (const Tally* tally : {&insertion_, &collapse_, &edge_swap_, &face_swap_, &relocation_, &repair_})
@@ -40,20 +43,18 @@ private:
     kernel_.efficiency_gain = 0;
     pass(insertion_, [&] { insertion_pass(kernel_, {}, insertion_); });
     pass(collapse_, [&] { collapse_pass(kernel_, {}, collapse_); });
-    if (grows_)
-      pass(edge_swap_, [&] { swap_pass(kernel_, {.good_enough = 0.6}, edge_swap_, face_swap_); });
-    else if (round_ % 2 == 0)
-      pass(edge_swap_, [&] { swap_pass(kernel_, {.good_enough = 0.8}, edge_swap_, face_swap_); });
-    if (!grows_) pass(repair_, [&] { repair_pass(kernel_, {}, repair_); });
-    pass(relocation_, [&] { relocation_pass(kernel_, {}, relocation_); });
     const auto tets = static_cast<double>(kernel_.mesh.tet_count());
     const double changed = static_cast<double>(insertion_.accepted() + collapse_.accepted() - before) / tets;
-    grows_ = changed > growing_;
+    const bool grows = changed > growing_;
+    if (grows || round_ % 2 == 0)
+      pass(edge_swap_, [&] { swap_pass(kernel_, {.good_enough = grows ? 0.6 : 0.8}, edge_swap_, face_swap_); });
+    if (!grows) pass(repair_, [&] { repair_pass(kernel_, {}, repair_); });
+    pass(relocation_, [&] { relocation_pass(kernel_, {}, relocation_); });
     return {changed, kernel_.efficiency_gain / (edges_per_tet_ * tets)};
   }
 
-  [[nodiscard]] bool is_settled(const Gain& gain) const {
-    return round_ >= fewest_rounds_ && gain.changed < settled_changes_ && gain.efficiency < settled_efficiency_;
+  [[nodiscard]] bool is_settled(const Gain& gain, const Gain& last) const {
+    return gain.changed < settled_changes_ && gain.efficiency + last.efficiency < 2 * settled_efficiency_;
   }
 
   template <class Work>
@@ -77,7 +78,6 @@ private:
 
   static constexpr double growth_ = 1.5;    // of the mesh from which locality is restored
   static constexpr double growing_ = 0.05;  // vertices made and removed in a round, as a share of the tetrahedra
-  static constexpr int fewest_rounds_ = 2;  // swaps answer the first relocation, relocation the first swaps
   static constexpr double settled_changes_ = 0.002;  // below these a round gains less than it costs
   static constexpr double settled_efficiency_ = 2e-4;
   static constexpr double edges_per_tet_ = 1.19;  // of a mesh of good tetrahedra with some boundary
@@ -86,7 +86,6 @@ private:
   const AdaptOptions& options_;
   Report& report_;
   int round_ = 0;
-  bool grows_ = true;
   std::size_t tets_when_ordered_ = 0;
   double order_seconds_ = 0;
   Tally insertion_{"insert"}, collapse_{"collapse"}, edge_swap_{"swap"}, face_swap_{"swap faces"},

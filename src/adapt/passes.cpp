@@ -38,10 +38,11 @@ double edge_length(const Kernel& kernel, TetId t, int edge) {
   return kernel.length(v[edge_vertices[edge][0]], v[edge_vertices[edge][1]]);
 }
 
-// Remembers what the measuring of an edge found.
-void note(Tet& tet, int edge, double length, Trial kind, bool settled) {
-  if (settled) tet.set_tried(kind, edge);
-  if (length < shortest_unit || length > longest_unit) tet.set_tried(Trial::not_unit, edge);
+// Measures an edge and remembers whether it is unit: then neither pass need come back to it.
+double measure_edge(Kernel& kernel, TetId t, int edge) {
+  const double length = edge_length(kernel, t, edge);
+  kernel.mesh.tets[t].set_length(edge, length >= shortest_unit && length <= longest_unit);
+  return length;
 }
 
 }  // namespace
@@ -55,8 +56,7 @@ void insertion_pass(Kernel& kernel, const InsertionRules& rules, Tally& tally) {
     double length = longest_unit;
     for (int e = 0; e < 6; ++e) {
       if (tet.was_tried(Trial::insertion, e)) continue;
-      const double l = edge_length(kernel, t, e);
-      note(tet, e, l, Trial::insertion, l <= longest_unit);
+      const double l = measure_edge(kernel, t, e);
       if (l <= length) continue;
       length = l;
       longest = e;
@@ -76,8 +76,10 @@ void collapse_pass(Kernel& kernel, const CollapseRules& rules, Tally& tally) {
       Tet& tet = kernel.mesh.tets[t];
       if (tet.was_tried(Trial::collapse, e)) continue;
       const double l = edge_length(kernel, t, e);
-      note(tet, e, l, Trial::collapse, l >= shortest_unit);
-      if (l < shortest_unit && tally.record(collapse_edge(kernel, t, e, rules))) return;
+      if (l >= shortest_unit)
+        tet.set_tried(Trial::collapse, e);
+      else if (tally.record(collapse_edge(kernel, t, e, rules)))
+        return;
     }
   });
 }

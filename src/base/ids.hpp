@@ -25,6 +25,8 @@ public:
   [[nodiscard]] constexpr TetId tet() const { return bits_ >> 2; }
   [[nodiscard]] constexpr int face() const { return static_cast<int>(bits_ & 3); }
   [[nodiscard]] constexpr TriangleId triangle() const { return bits_ & ~triangle_bit; }
+  /// For sorting: triangles come after faces.
+  [[nodiscard]] constexpr std::uint32_t bits() const { return bits_; }
   constexpr bool operator==(const FaceLink&) const = default;
 
 private:

@@ -1,5 +1,8 @@
 // The writing half of the cavity operator.
+#include <cassert>
+
 #include "cavity/cavity.hpp"
+#include "mesh/invariants.hpp"
 
 namespace taut {
 namespace {
@@ -21,6 +24,7 @@ void Cavity::commit(TetMesh& mesh, VertexId apex) {
     for (int k = 0; k < 3; ++k) glue_side(mesh, i, k);
   clear_matching();
   release(mesh);
+  assert(first_broken_invariant(mesh, made()).empty());
 }
 
 // New tetrahedra take the ids of the old ones first: neighbours in space stay neighbours in memory.

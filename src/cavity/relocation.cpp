@@ -132,17 +132,19 @@ private:
     const double bound = by_forces_ ? std::max(quality_kept * old_quality_, least_quality) : gain_ * old_quality_;
     for (int i = 0; i < k_.batch.size(); ++i)
       if (!(k_.batch.quality[i] > bound)) return Refusal::quality;
-    if (by_forces_ && !lengths_hold(moved)) return Refusal::long_edge;
+    const auto lengths = k_.neighbours.lengths(moved);
+    if (by_forces_ && !lengths_hold(lengths)) return Refusal::long_edge;
     if (!all_positive(moved.x)) return Refusal::inverted;
     write(moved, host);
+    note_lengths(lengths);
     return Refusal::accepted;
   }
 
   // The longest and the shortest edge are no worse than they were, or unit.
-  [[nodiscard]] bool lengths_hold(const Vertex& moved) const {
+  [[nodiscard]] bool lengths_hold(std::span<const double> lengths) const {
     const double longest = std::max(longest_, longest_unit), shortest = std::min(shortest_, shortest_unit);
     bool hold = true;
-    for (double l : k_.neighbours.lengths(moved)) hold &= l <= longest && l >= shortest;
+    for (double l : lengths) hold &= l <= longest && l >= shortest;
     return hold;
   }
 
@@ -171,15 +173,13 @@ private:
       tet.forget(Trial::edge_swap, 0x3ff);
       tet.forget_lengths();
     }
-    note_lengths(moved);
     if (moved_by < rules_.still) return;
     mesh_.restless[v_] = 1;
     for (int i = 0; i < k_.neighbours.size(); ++i) mesh_.restless[k_.neighbours.id(i)] = 1;
   }
 
   // Where an edge is not unit, or was not, the passes that split and collapse must know.
-  void note_lengths(const Vertex& moved) {
-    const auto lengths = k_.neighbours.lengths(moved);
+  void note_lengths(std::span<const double> lengths) {
     std::array<bool, VertexBatch::capacity> unit;
     k_.efficiency_gain -= old_phi_;
     for (int i = 0; i < k_.neighbours.size(); ++i) {

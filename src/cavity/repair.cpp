@@ -9,13 +9,12 @@ Refusal repair(Kernel& kernel, TetId t, const RepairRules& rules) {
   const CollapseRules collapse{
       .longest_new_edge = rules.longest_new_edge, .worst_quality = 1, .share_of_old = rules.gain};
   Refusal refusal = Refusal::no_candidate;
-  for (int e = 0; e < 6; ++e) {
-    refusal = collapse_edge(kernel, t, e, collapse);
+  for (VertexId v : kernel.mesh.tets[t].v) {
+    refusal = lift(kernel, v, rules.gain);
     if (refusal == Refusal::accepted) return refusal;
   }
-  const auto vertices = kernel.mesh.tets[t].v;
-  for (VertexId v : vertices) {
-    refusal = lift(kernel, v, rules.gain);
+  for (int e = 0; e < 6; ++e) {
+    refusal = collapse_edge(kernel, t, e, collapse);
     if (refusal == Refusal::accepted) return refusal;
   }
   return refusal;

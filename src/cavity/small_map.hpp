@@ -16,33 +16,36 @@ public:
 
   void clear() {
     if (++stamp_ == 0) {  // wrapped round after 2^32 uses
-      stamps_.fill(0);
+      entries_.fill(0);
       stamp_ = 1;
     }
   }
 
   [[nodiscard]] int find(std::uint32_t key) const {
+    const std::uint64_t wanted = entry(key);
     for (std::uint32_t h = hash(key);; h = (h + 1) & (slots - 1)) {
-      if (stamps_[h] != stamp_) return missing;
-      if (keys_[h] == key) return values_[h];
+      if (entries_[h] == wanted) return values_[h];
+      if (is_free(h)) return missing;
     }
   }
   [[nodiscard]] bool contains(std::uint32_t key) const { return find(key) != missing; }
 
   /// The value of `key`, which becomes `value` if it has none.
   int find_or_insert(std::uint32_t key, int value) {
+    const std::uint64_t wanted = entry(key);
     for (std::uint32_t h = hash(key);; h = (h + 1) & (slots - 1)) {
-      if (stamps_[h] != stamp_) {
-        stamps_[h] = stamp_;
-        keys_[h] = key;
-        values_[h] = static_cast<std::int16_t>(value);
-        return value;
-      }
-      if (keys_[h] == key) return values_[h];
+      if (entries_[h] == wanted) return values_[h];
+      if (!is_free(h)) continue;
+      entries_[h] = wanted;
+      values_[h] = static_cast<std::int16_t>(value);
+      return value;
     }
   }
 
 private:
+  // The stamp says in which use of the map a slot was filled.
+  [[nodiscard]] std::uint64_t entry(std::uint32_t key) const { return (std::uint64_t{stamp_} << 32) | key; }
+  [[nodiscard]] bool is_free(std::uint32_t slot) const { return (entries_[slot] >> 32) != stamp_; }
   static std::uint32_t hash(std::uint32_t key) { return (key * 2654435769U) >> (32 - log2_slots); }
   static constexpr int log2_slots = [] {
     int n = 0;
@@ -51,8 +54,7 @@ private:
   }();
 
   std::uint32_t stamp_ = 1;
-  std::array<std::uint32_t, slots> stamps_{};
-  std::array<std::uint32_t, slots> keys_{};
+  std::array<std::uint64_t, slots> entries_{};
   std::array<std::int16_t, slots> values_{};
 };
 

@@ -1,8 +1,6 @@
 // Reading one block of a binary file.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -39,9 +37,7 @@ public:
 
   void expect(std::size_t entities, Row row) const {
     const std::size_t bytes = row.reals * sizeof(Real) + row.integers * sizeof(Int);
-    if (entities > left() / bytes) {
-      fail(fmt::format("{} entries announced, but only {} bytes follow", entities, left()));
-    }
+    if (entities > left() / bytes) fail_short(entities);
   }
 
   [[nodiscard]] std::int64_t integer() { return take<Int>(); }

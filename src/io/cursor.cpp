@@ -13,6 +13,10 @@ void Cursor::fail(std::string_view message) const {
   file_->fail_at(static_cast<std::size_t>(at_ - file_->bytes.data.get()), text);
 }
 
+void Cursor::fail_short(std::size_t entries) const {
+  fail(fmt::format("{} entries announced, but only {} bytes follow", entries, left()));
+}
+
 std::size_t Cursor::checked_count(std::int64_t found) const {
   constexpr std::int64_t most = std::numeric_limits<Index>::max();
   if (found < 0 || found >= most) fail(fmt::format("{} entries announced, expected 0..{}", found, most - 1));

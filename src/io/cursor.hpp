@@ -31,6 +31,8 @@ public:
 
 protected:
   [[nodiscard]] std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
+  /// Throws InputError: so many entries cannot be in what is left of the block.
+  [[noreturn]] void fail_short(std::size_t entries) const;
   [[nodiscard]] std::size_t checked_count(std::int64_t found) const;
 
   const GmfFile* file_;

@@ -13,7 +13,10 @@ namespace {
 struct Face {
   VertexId middle, largest;
   FaceLink link;
-  [[nodiscard]] std::pair<VertexId, VertexId> key() const { return {middle, largest}; }
+  [[nodiscard]] std::uint64_t key() const { return (std::uint64_t{middle} << 32) | largest; }
+  [[nodiscard]] bool operator<(const Face& other) const {
+    return key() != other.key() ? key() < other.key() : link.bits() < other.link.bits();
+  }
 };
 
 std::array<VertexId, 3> ascending(std::array<VertexId, 3> v) {
@@ -36,7 +39,7 @@ public:
   void each_group(Visit visit) {
     for (std::size_t v = 0; v + 1 < start_.size(); ++v) {
       const auto begin = faces_.begin() + start_[v], end = faces_.begin() + start_[v + 1];
-      std::stable_sort(begin, end, [](const Face& a, const Face& b) { return a.key() < b.key(); });
+      std::sort(begin, end);
       for (auto group = begin; group != end;) {
         auto next = group;
         while (next != end && next->key() == group->key()) ++next;

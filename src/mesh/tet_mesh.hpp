@@ -57,16 +57,11 @@ struct Tet {
     forget(Trial::collapse, edges);
   }
   void set_length(int edge, bool unit) {
-    for (const Trial kind : {Trial::insertion, Trial::collapse}) {
-      if (unit)
-        set_tried(kind, edge);
-      else
-        forget(kind, 1U << edge);
-    }
-    if (unit)
-      forget(Trial::not_unit, 1U << edge);
-    else
-      set_tried(Trial::not_unit, edge);
+    const std::uint32_t trials =
+        (1U << static_cast<std::uint32_t>(Trial::insertion)) | (1U << static_cast<std::uint32_t>(Trial::collapse));
+    const std::uint32_t mark = 1U << static_cast<std::uint32_t>(Trial::not_unit);
+    tried &= ~((trials | mark) << edge);
+    tried |= (unit ? trials : mark) << edge;
   }
   [[nodiscard]] int index_of(VertexId vertex) const {
     return v[0] == vertex ? 0 : v[1] == vertex ? 1 : v[2] == vertex ? 2 : 3;

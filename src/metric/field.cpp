@@ -17,17 +17,16 @@ void require_count(std::size_t values, std::size_t points) {
 void require_metric(const Tensor& m, std::size_t vertex) {
   if (!is_positive_definite(m))
     throw InputError(
-        fmt::format("metric: vertex {} (counted from 0): the tensor xx, xy, xz, yy, yz, zz = {} is not finite and "
+        fmt::format("metric: vertex {}: the tensor xx, xy, xz, yy, yz, zz = {} is not finite and "
                     "positive definite",
-                    vertex, fmt::join(m, ", ")));
+                    vertex + 1, fmt::join(m, ", ")));
 }
 
 /// Sizes so small or large that h^-2 is no positive double are refused too.
 Sym3 tensor_of_size(double h, std::size_t vertex) {
   const Sym3 m = metric_of_size(h);
   if (!(h > 0) || !is_positive_definite(m))
-    throw InputError(
-        fmt::format("metric: vertex {} (counted from 0): the size is {}, expected a positive number", vertex, h));
+    throw InputError(fmt::format("metric: vertex {}: the size is {}, expected a positive number", vertex + 1, h));
   return m;
 }
 

@@ -22,7 +22,7 @@ public:
     ++count_;
   }
   void report(std::vector<std::string>& to) const {
-    if (count_ > 0) to.push_back(fmt::format("{}: {}, the first at index {}", kind_, count_, first_));
+    if (count_ > 0) to.push_back(fmt::format("{}: {}, the first is number {}", kind_, count_, first_ + 1));
   }
 
 private:

@@ -20,8 +20,8 @@ void require_indices(const Mesh& mesh) {
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
     for (const Index v : mesh.tetrahedra[t]) {
       if (v >= mesh.points.size())
-        throw InputError(fmt::format("mesh: tetrahedron {} (counted from 0) names vertex {}, expected less than {}", t,
-                                     v, mesh.points.size()));
+        throw InputError(fmt::format("mesh: tetrahedron {}: vertex {} found, expected 1..{}", t + 1, std::size_t{v} + 1,
+                                     mesh.points.size()));
     }
   }
 }

@@ -44,11 +44,11 @@ TEST(Field, BadValuesAreRefusedNamingTheVertex) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   EXPECT_NE(complaint(Sizes{1, 2}).find("2 values for 3 vertices"), std::string::npos);
   for (const double h : {0.0, -1.0, nan, inf, -inf, 1e-200, 1e200})
-    EXPECT_NE(complaint(Sizes{1, 2, h}).find("vertex 2"), std::string::npos) << h;
-  EXPECT_NE(complaint(Tensors{identity3, {1, 2, 0, 1, 0, 1}, identity3}).find("vertex 1"), std::string::npos);
-  EXPECT_NE(complaint(Tensors{identity3, identity3, {1, nan, 0, 1, 0, 1}}).find("vertex 2"), std::string::npos);
+    EXPECT_NE(complaint(Sizes{1, 2, h}).find("vertex 3:"), std::string::npos) << h;
+  EXPECT_NE(complaint(Tensors{identity3, {1, 2, 0, 1, 0, 1}, identity3}).find("vertex 2:"), std::string::npos);
+  EXPECT_NE(complaint(Tensors{identity3, identity3, {1, nan, 0, 1, 0, 1}}).find("vertex 3:"), std::string::npos);
   EXPECT_NE(complaint(Tensors{identity3}).find("1 values"), std::string::npos);
-  EXPECT_NE(complaint([](const Point& x) { return (1 - x[0]) * identity3; }).find("vertex 1"), std::string::npos);
+  EXPECT_NE(complaint([](const Point& x) { return (1 - x[0]) * identity3; }).find("vertex 2:"), std::string::npos);
   EXPECT_NE(complaint(MetricFunction{}).find("empty function"), std::string::npos);
 }
 

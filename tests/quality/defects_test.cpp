@@ -40,13 +40,13 @@ TEST(Defects, OfASoundMeshAreNone) {
 TEST(Defects, IndicesOutOfRange) {
   Mesh mesh = sound();
   mesh.tetrahedra[5][1] = 27;
-  expect_defect(mesh, "tetrahedra with an index out of range: 1, the first at index 5");
+  expect_defect(mesh, "tetrahedra with an index out of range: 1, the first is number 6");
   mesh = sound();
   mesh.ridges = {0};
-  expect_defect(mesh, "ridges with an index out of range: 1, the first at index 0");
+  expect_defect(mesh, "ridges with an index out of range: 1, the first is number 1");
   mesh = sound();
   mesh.corners = {0, 26, 27};
-  expect_defect(mesh, "corners with an index out of range: 1, the first at index 2");
+  expect_defect(mesh, "corners with an index out of range: 1, the first is number 3");
 }
 
 TEST(Defects, NumbersOfReferences) {
@@ -59,13 +59,13 @@ TEST(Defects, CoordinatesThatAreNotFinite) {
   Mesh mesh = sound();
   mesh.points[3][2] = std::numeric_limits<double>::quiet_NaN();
   mesh.points[9][0] = std::numeric_limits<double>::infinity();
-  expect_defect(mesh, "points with a coordinate that is not finite: 2, the first at index 3");
+  expect_defect(mesh, "points with a coordinate that is not finite: 2, the first is number 4");
 }
 
 TEST(Defects, Orientation) {
   Mesh mesh = sound();
   std::swap(mesh.tetrahedra[7][0], mesh.tetrahedra[7][1]);
-  expect_defect(mesh, "inverted tetrahedra: 1, the first at index 7");
+  expect_defect(mesh, "inverted tetrahedra: 1, the first is number 8");
   mesh = sound();
   mesh.points[13] = {0.5, 0.5, 0};
   expect_defect(mesh, "flat tetrahedra");
@@ -82,7 +82,7 @@ TEST(Defects, Faces) {
   expect_defect(mesh, "boundary faces without triangle (index of the tetrahedron): 1");
   mesh = sound();
   mesh.triangles.push_back({0, 13, 26});
-  expect_defect(mesh, "triangles that are no face of a tetrahedron: 1, the first at index 48");
+  expect_defect(mesh, "triangles that are no face of a tetrahedron: 1, the first is number 49");
 }
 
 TEST(Defects, RegionsWithoutTrianglesBetween) {
@@ -96,19 +96,19 @@ TEST(Defects, RegionsWithoutTrianglesBetween) {
 TEST(Defects, Duplicates) {
   Mesh mesh = sound();
   mesh.tetrahedra.push_back(mesh.tetrahedra[3]);
-  expect_defect(mesh, "duplicate tetrahedra: 1, the first at index 48");
+  expect_defect(mesh, "duplicate tetrahedra: 1, the first is number 49");
   mesh = sound();
   mesh.triangles.push_back({mesh.triangles[4][1], mesh.triangles[4][2], mesh.triangles[4][0]});
-  expect_defect(mesh, "duplicate triangles: 1, the first at index 48");
+  expect_defect(mesh, "duplicate triangles: 1, the first is number 49");
   mesh = sound();
   mesh.edges = {{0, 1}, {1, 2}, {1, 0}};
-  expect_defect(mesh, "duplicate edges: 1, the first at index 2");
+  expect_defect(mesh, "duplicate edges: 1, the first is number 3");
 }
 
 TEST(Defects, UnusedPoints) {
   Mesh mesh = sound();
   mesh.points.push_back({5, 5, 5});
-  expect_defect(mesh, "points of no tetrahedron: 1, the first at index 27");
+  expect_defect(mesh, "points of no tetrahedron: 1, the first is number 28");
 }
 
 }  // namespace

@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+"""Whole runs at several sizes, and mmg3d_O3 beside them when it is on PATH.
+
+Each run starts from a grid of a cube and adapts it PASSES times to an analytic metric evaluated anew on each mesh. Seconds
+are those of all passes, files included; the rate is tetrahedra of the last mesh per second of one pass.
+"""
+import argparse
+import itertools
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "examples"))
+import fields  # noqa: E402
+import gmf  # noqa: E402
+import measures  # noqa: E402
+import outer_loop  # noqa: E402
+
+DOMAINS = {"shock": (-1.0, 1.0), "linear": (0.0, 1.0)}
+DIVISORS = [1.0, 1.7, 2.75, 3.5]  # of the sizes: about 50 k, 230 k, 0.95 M and 2 M tetrahedra
+FACES = [(1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)]
+
+
+def cube(cells, low, high):
+    """A cube of cells^3 boxes of six tetrahedra each; its sides have the references 1 to 6."""
+    ticks = np.linspace(low, high, cells + 1)
+    points = np.stack(np.meshgrid(ticks, ticks, ticks, indexing="ij"), axis=-1).reshape(-1, 3)
+    ids = np.arange(len(points)).reshape(3 * (cells + 1,))
+    corner = lambda offset: ids[tuple(slice(o, cells + o) for o in offset)].ravel()
+    tetrahedra = []
+    for walk in itertools.permutations(np.eye(3, dtype=int)):  # from the lowest corner of a box to its highest
+        path = np.cumsum([np.zeros(3, int), *walk], axis=0)
+        if np.linalg.det(walk) < 0:
+            path = path[[0, 2, 1, 3]]
+        tetrahedra.append(np.stack([corner(offset) for offset in path], axis=1))
+    mesh = gmf.Mesh(points, np.concatenate(tetrahedra))
+    faces = np.concatenate([mesh.tetrahedra[:, face] for face in FACES])
+    sides = [np.all(points[faces][:, :, axis] == end, axis=1) for axis in range(3) for end in (low, high)]
+    mesh.triangles = np.concatenate([faces[side] for side in sides])
+    mesh.triangle_refs = np.repeat(np.arange(1, 7), [side.sum() for side in sides])
+    return mesh
+
+
+def programs(taut):
+    yield "taut", outer_loop.taut_command(taut)
+    peer = shutil.which("mmg3d_O3")
+    if peer:
+        yield "mmg3d", lambda mesh, metric, out: [peer, "-v", "0", "-hgrad", "-1", "-in", mesh, "-sol", metric, "-out", out]
+
+
+def measured(taut, command, case, divisor, grid, passes):
+    """The figures of one run, quality as taut measures it."""
+    field = lambda points: getattr(fields, case)(points, divisor)
+    with tempfile.TemporaryDirectory() as folder:
+        start, out = pathlib.Path(folder, "start.meshb"), pathlib.Path(folder, "out.meshb")
+        gmf.write_mesh(start, cube(grid, *DOMAINS[case]))
+        metric, seconds, peak = outer_loop.run(command, start, field, passes, out)
+        report = subprocess.run([taut, "quality", out, "--metric", metric, "--json"], check=True, stdout=subprocess.PIPE)
+        figures = json.loads(report.stdout)["quality"]
+    figures.update(seconds=seconds, rate=figures["tetrahedra"] * passes / seconds, peak=peak / figures["tetrahedra"])
+    return figures
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("taut")
+    parser.add_argument("--cases", nargs="+", choices=DOMAINS, default=list(DOMAINS))
+    parser.add_argument("--divisors", nargs="+", type=float, default=DIVISORS, help="of all sizes")
+    parser.add_argument("--grid", type=int, default=10, help="boxes along a side of the start")
+    parser.add_argument("--passes", type=int, default=2)
+    options = parser.parse_args()
+    print(f"{'case':8}{'sizes /':>8} {'program':8}{'tets':>10}{'tau':>7}{'unit %':>8}{'Q<=3 %':>8}{'worst Q':>9}{'s':>8}"
+          f"{'ktets/s':>9}{'peak B/tet':>11}{'time ratio':>11}")
+    for case, divisor in itertools.product(options.cases, options.divisors):
+        ours = None
+        for name, command in programs(options.taut):
+            f = measured(options.taut, command, case, divisor, options.grid, options.passes)
+            ours = ours or f["seconds"]
+            print(f"{case:8}{divisor:8g} {name:8}{f['tetrahedra']:10,}{f['tau']:7.3f}{100 * f['unit_edges']:8.2f}"
+                  f"{100 * f['Q_up_to_3']:8.2f}{f['Q_max']:9.3g}{f['seconds']:8.2f}{f['rate'] / 1000:9.1f}{f['peak']:11.0f}"
+                  f"{f['seconds'] / ours:11.2f}", flush=True)
+
+
+if __name__ == "__main__":
+    main()

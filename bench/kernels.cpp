@@ -1,0 +1,149 @@
+// What the inner loops cost, on the meshes and metrics for which they are meant.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <random>
+#include <span>
+#include <vector>
+
+#include "adapt/passes.hpp"
+#include "adapt/setup.hpp"
+#include "cavity/delaunay.hpp"
+#include "cavity/face_batch.hpp"
+#include "cavity/vertex_batch.hpp"
+#include "mesh/grid.hpp"
+#include "mesh/orientation.hpp"
+#include "metric/length.hpp"
+#include "metric/quality.hpp"
+
+namespace taut {
+namespace {
+
+constexpr std::size_t sample_count = 4096;
+
+// Sizes 10 to 1 across a plane, as at a shock.
+Tensor stretched_metric(const Point& p) {
+  const double h = 0.1 * std::abs(1 - std::exp(-std::abs(p[0] - 0.5))) + 0.01;
+  return {1 / (h * h), 0, 0, 100, 0, 100};
+}
+
+std::vector<Vertex> random_vertices() {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::vector<Vertex> vertices(sample_count);
+  for (Vertex& v : vertices) {
+    for (double& x : v.x) x = unit(random);
+    v.m = stretched_metric(v.x);
+  }
+  return vertices;
+}
+
+using Corners = std::array<const Vertex*, 4>;
+
+// Positive tetrahedra of edges near 1, as most are that an operator looks at.
+std::vector<Corners> sample_tets(const TetMesh& mesh) {
+  std::vector<Corners> tets;
+  for (const Tet& t : std::span(mesh.tets).first(sample_count))
+    tets.push_back({&mesh.vertices[t.v[0]], &mesh.vertices[t.v[1]], &mesh.vertices[t.v[2]], &mesh.vertices[t.v[3]]});
+  return tets;
+}
+
+Problem grid_problem(Index n) {
+  Report report;
+  return set_up(test::grid(n), stretched_metric, {}, report);
+}
+
+template <double length(const Vec3&, const Vec3&, const Sym3&, const Sym3&)>
+void edge_lengths(benchmark::State& state) {
+  const std::vector<Vertex> vertices = random_vertices();
+  for (auto _ : state)
+    for (std::size_t i = 1; i < vertices.size(); ++i)
+      benchmark::DoNotOptimize(length(vertices[i - 1].x, vertices[i].x, vertices[i - 1].m, vertices[i].m));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(vertices.size() - 1));
+}
+BENCHMARK(edge_lengths<edge_length>);
+BENCHMARK(edge_lengths<edge_length_fast>);
+
+void shape_qualities(benchmark::State& state) {
+  const Problem problem = grid_problem(10);
+  const std::vector<Corners> tets = sample_tets(problem.mesh);
+  for (auto _ : state)
+    for (const auto& [a, b, c, d] : tets)
+      benchmark::DoNotOptimize(shape_quality(a->x, b->x, c->x, d->x, a->m, b->m, c->m, d->m));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(tets.size()));
+}
+BENCHMARK(shape_qualities);
+
+void orientations(benchmark::State& state) {
+  const Problem problem = grid_problem(10);
+  const std::vector<Corners> tets = sample_tets(problem.mesh);
+  for (auto _ : state)
+    for (const auto& [a, b, c, d] : tets) benchmark::DoNotOptimize(orientation(a->x, b->x, c->x, d->x));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(tets.size()));
+}
+BENCHMARK(orientations);
+
+void delaunay_conflicts(benchmark::State& state) {
+  const Problem problem = grid_problem(10);
+  const std::vector<Corners> tets = sample_tets(problem.mesh);
+  for (auto _ : state)
+    for (std::size_t i = 1; i < tets.size(); ++i) benchmark::DoNotOptimize(in_conflict(*tets[i - 1][0], tets[i]));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(tets.size() - 1));
+}
+BENCHMARK(delaunay_conflicts);
+
+// The argument is the number of faces: a swap has about 10, the ball of a vertex 24, an insertion 40.
+void face_batches(benchmark::State& state) {
+  const std::vector<Vertex> vertices = random_vertices();
+  FaceBatch batch;
+  for (int i = 0; i < state.range(0); ++i) batch.push(vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]);
+  for (auto _ : state) {
+    batch.evaluate(vertices.back());
+    benchmark::DoNotOptimize(batch.quality.data());
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+BENCHMARK(face_batches)->Arg(10)->Arg(24)->Arg(40);
+
+void report_operations(benchmark::State& state, const Tally& tally) {
+  const PassReport report = tally.report();
+  const auto average = benchmark::Counter::kAvgIterations;
+  state.counters["accepted"] = {static_cast<double>(report.accepted), average};
+  state.counters["tried"] = {static_cast<double>(report.tried), average};
+  state.SetItemsProcessed(static_cast<std::int64_t>(report.accepted));
+}
+
+// One pass after `rounds` of insertion on a grid; items are accepted operations, refused ones included in their time.
+template <class Pass>
+void measure_pass(benchmark::State& state, int rounds, Pass pass) {
+  Tally tally("");
+  for (auto _ : state) {
+    Problem problem = grid_problem(8);
+    Kernel kernel{problem.mesh, problem.model, *problem.target};
+    Tally before("");
+    for (int i = 0; i < rounds; ++i) insertion_pass(kernel, {}, before);
+    const Stopwatch watch;
+    pass(kernel, tally);
+    state.SetIterationTime(watch.seconds());
+  }
+  report_operations(state, tally);
+}
+
+void insertions(benchmark::State& state) {
+  measure_pass(state, 1, [](Kernel& kernel, Tally& tally) { insertion_pass(kernel, {}, tally); });
+}
+BENCHMARK(insertions)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+void swaps(benchmark::State& state) {
+  measure_pass(state, 4, [](Kernel& kernel, Tally& tally) { swap_pass(kernel, {}, tally, tally); });
+}
+BENCHMARK(swaps)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+void relocations(benchmark::State& state) {
+  measure_pass(state, 4, [](Kernel& kernel, Tally& tally) { relocation_pass(kernel, {}, tally); });
+}
+BENCHMARK(relocations)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace taut

@@ -1,0 +1,56 @@
+// Metric fields as hard as they come, for domains within [-1, 1]^3.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "metric/random_metrics.hpp"
+#include "taut/metric.hpp"
+
+namespace taut::test {
+
+inline MetricFunction uniform(double size) {
+  return [size](const Point&) { return metric_of_size(size); };
+}
+
+/// In each of 6^3 boxes another metric in another direction, up to 100:1; from box to box it jumps.
+inline MetricFunction patchwork(double size, unsigned seed) {
+  Random random(seed);
+  std::vector<Sym3> metrics;
+  for (int i = 0; i < 216; ++i) {
+    const double thin = std::exp(random.uniform(std::log(0.01), 0)), wide = random.uniform(0.5, 1);
+    metrics.push_back(rotate(random.rotation(),
+                             Sym3{std::pow(thin * size, -2), 0, 0, std::pow(wide * size, -2), 0, std::pow(size, -2)}));
+  }
+  return [metrics](const Point& x) {
+    std::size_t at = 0;
+    for (const double c : x) at = 6 * at + static_cast<std::size_t>(std::clamp(std::floor(3 * (c + 1)), 0.0, 5.0));
+    return metrics[at];
+  };
+}
+
+/// Isotropic, but in a slab askew 100 times finer across it: the size jumps at its sides.
+inline MetricFunction jump(double size) {
+  return [size](const Point& x) {
+    const Vec3 n = {0.6, 0.48, 0.64};
+    const double a = std::pow(size / 100, -2), b = std::pow(size, -2);
+    if (std::abs(dot(n, x) - 0.45) > 0.1) return metric_of_size(size);
+    return Sym3{b + (a - b) * n[0] * n[0], (a - b) * n[0] * n[1], (a - b) * n[0] * n[2],
+                b + (a - b) * n[1] * n[1], (a - b) * n[1] * n[2], b + (a - b) * n[2] * n[2]};
+  };
+}
+
+/// A front on a sphere about the origin, with sizes across it from size / 50 to size, and size along it.
+inline MetricFunction front(double size, double radius) {
+  return [=](const Point& x) {
+    const double r = norm(x);
+    const double across = size * std::min(1.0, 0.02 + std::abs(r - radius));
+    const Vec3 n = r > 0 ? 1 / r * x : Vec3{1, 0, 0};
+    const double a = std::pow(across, -2), b = std::pow(size, -2);
+    return Sym3{b + (a - b) * n[0] * n[0], (a - b) * n[0] * n[1], (a - b) * n[0] * n[2],
+                b + (a - b) * n[1] * n[1], (a - b) * n[1] * n[2], b + (a - b) * n[2] * n[2]};
+  };
+}
+
+}  // namespace taut::test

@@ -1,0 +1,203 @@
+// What the options, the callback and the report promise.
+#include <cmath>
+
+#include "adapt/checks.hpp"
+#include "adapt/fields.hpp"
+
+namespace taut {
+namespace {
+
+using test::cube;
+
+AdaptOptions with_passes(int passes) {
+  AdaptOptions options;
+  options.passes = passes;
+  return options;
+}
+
+TEST(Adapt, TheSameInputGivesTheSameBits) {
+  const Mesh mesh = test::two_regions(4);
+  for (const auto& field : {test::patchwork(0.6, 3), test::front(0.4, 0.5)}) {
+    const AdaptResult one = adapt(mesh, field, with_passes(5)), two = adapt(mesh, field, with_passes(5));
+    EXPECT_EQ(one.report.hash, two.report.hash);
+    EXPECT_EQ(one.mesh.points, two.mesh.points);
+    EXPECT_EQ(one.mesh.tetrahedra, two.mesh.tetrahedra);
+    EXPECT_EQ(one.mesh.triangles, two.mesh.triangles);
+    EXPECT_EQ(one.metric, two.metric);
+    EXPECT_EQ(one.new_of_old, two.new_of_old);
+    EXPECT_NE(one.report.hash, adapt(mesh, field, with_passes(1)).report.hash) << "the hash tells meshes apart";
+  }
+}
+
+TEST(Adapt, AllWaysOfGivingAConstantMetricAgree) {
+  const Mesh mesh = cube(3);
+  const double h = 0.2;
+  const Tensor m = metric_of_size(h);
+  const AdaptResult by_sizes = adapt(mesh, Sizes(mesh.points.size(), h));
+  const AdaptResult by_tensors = adapt(mesh, Tensors(mesh.points.size(), m));
+  const AdaptResult by_function = adapt(mesh, [&](const Point&) { return m; });
+  EXPECT_EQ(by_sizes.report.hash, by_tensors.report.hash);
+  // Interpolation rounds, so counts may differ by little.
+  EXPECT_NEAR(
+      static_cast<double>(by_function.mesh.tetrahedra.size()) / static_cast<double>(by_sizes.mesh.tetrahedra.size()), 1,
+      0.15);
+  EXPECT_NEAR(by_function.report.quality.tau, by_sizes.report.quality.tau, 0.02);
+}
+
+TEST(Adapt, AConstantMetricComesOutOfGradationUnchanged) {
+  test::Random random(1);
+  const Mesh mesh = cube(3);
+  for (int i = 0; i < 3; ++i) {
+    const Sym3 m = 1 / (0.5 * 0.5) * random.metric(0.1);
+    const Tensors constant(mesh.points.size(), m);
+    AdaptOptions options = with_passes(4);
+    const auto without = adapt(mesh, constant, options);
+    for (const double beta : {1.05, 1.5}) {
+      options.gradation = beta;
+      EXPECT_EQ(adapt(mesh, constant, options).report.hash, without.report.hash);
+    }
+    for (const Tensor& at : without.metric) EXPECT_LT(test::distance(at, m), 1e-12);
+  }
+}
+
+TEST(Adapt, GradationRefinesRoundASmallSize) {
+  const Mesh mesh = cube(4);
+  Sizes sizes(mesh.points.size(), 0.5);
+  sizes[62] = 0.03;  // the middle
+  AdaptOptions options;
+  const auto without = adapt(mesh, sizes, options);
+  options.gradation = 1.3;
+  const auto with = adapt(mesh, sizes, options);
+  test::expect_faithful(with, mesh);
+  EXPECT_GT(with.mesh.tetrahedra.size(), without.mesh.tetrahedra.size());
+  options.gradation = 100.0;
+  EXPECT_EQ(adapt(mesh, sizes, options).report.hash, without.report.hash) << "so steep that nothing is asked";
+}
+
+TEST(Adapt, BoundsOnSizesHold) {
+  const Mesh mesh = cube(3);
+  AdaptOptions options;
+  options.hmin = 0.2;
+  options.hmax = 0.25;
+  for (const double h : {0.001, 100.0}) {
+    const double expected = h < 1 ? 0.2 : 0.25;
+    const auto by_sizes = adapt(mesh, Sizes(mesh.points.size(), h), options);
+    const auto by_function = adapt(mesh, test::uniform(h), options);
+    for (const auto* result : {&by_sizes, &by_function})
+      for (const Tensor& m : result->metric) EXPECT_LT(test::distance(m, metric_of_size(expected)), 1e-12);
+  }
+}
+
+TEST(Adapt, AUniformSizeGivesUnitEdges) {
+  for (const Mesh& mesh : {cube(3), test::l_shape(4)}) {
+    const auto result = adapt(mesh, test::uniform(0.1));
+    test::expect_faithful(result, mesh);
+    EXPECT_GT(result.report.quality.unit_edges, 0.95);
+    EXPECT_GT(result.report.quality.tau, 0.85);
+    EXPECT_GT(result.report.quality.mean_ratio_min, 0.2);
+  }
+}
+
+TEST(Adapt, AnAnisotropicConstantGivesUnitEdges) {
+  const Mesh mesh = cube(3);
+  const Sym3 m = test::rotate(test::Random(5).rotation(), Sym3{std::pow(0.03, -2), 0, 0, 16, 0, 16});
+  const auto result = adapt(mesh, [&](const Point&) { return m; });
+  test::expect_faithful(result, mesh);
+  EXPECT_GT(result.report.quality.unit_edges, 0.9);
+}
+
+TEST(Adapt, CoarsensWhatIsTooFine) {
+  const Mesh mesh = test::two_regions(10);
+  const auto result = adapt(mesh, test::uniform(0.4));
+  test::expect_faithful(result, mesh);
+  EXPECT_LT(result.mesh.tetrahedra.size(), mesh.tetrahedra.size() / 15);
+  EXPECT_GT(result.report.quality.unit_edges, 0.8);
+  std::size_t gone = 0;
+  for (const Index p : result.new_of_old) gone += p == AdaptResult::gone ? 1 : 0;
+  EXPECT_GT(gone, mesh.points.size() * 9 / 10);
+}
+
+TEST(Adapt, ASecondRunFindsLittleToDo) {
+  const Mesh mesh = cube(3);
+  const auto first = adapt(mesh, test::uniform(0.12));
+  const auto second = adapt(first.mesh, test::uniform(0.12));
+  test::expect_faithful(second, first.mesh);
+  EXPECT_LT(second.report.rounds, first.report.rounds + 1);
+  EXPECT_LT(second.report.passes[0].accepted, first.report.passes[0].accepted / 10);
+  EXPECT_NEAR(static_cast<double>(second.mesh.tetrahedra.size()) / static_cast<double>(first.mesh.tetrahedra.size()), 1,
+              0.05);
+}
+
+TEST(Adapt, NoPassesChangeNothing) {
+  Mesh mesh = cube(3);
+  mesh.point_refs = std::vector<int>(mesh.points.size(), 4);
+  const auto result = adapt(mesh, test::uniform(0.01), with_passes(0));
+  test::expect_faithful(result, mesh);
+  EXPECT_EQ(result.report.rounds, 0);
+  EXPECT_EQ(test::placed_triangles(result.mesh), test::placed_triangles(mesh));
+  EXPECT_EQ(result.mesh.points.size(), mesh.points.size());
+  for (Index p = 0; p < mesh.points.size(); ++p) EXPECT_EQ(result.mesh.points[result.new_of_old[p]], mesh.points[p]);
+}
+
+TEST(Adapt, TheCallbackSeesEveryPassAndItsCountsAddUp) {
+  AdaptOptions options;
+  std::size_t accepted = 0, vertices = 0, tetrahedra = 0;
+  int last_round = 0;
+  options.progress = [&](const Progress& p) {
+    EXPECT_GE(p.round, last_round);
+    last_round = p.round;
+    accepted += p.accepted;
+    vertices = p.vertices;
+    tetrahedra = p.tetrahedra;
+    return true;
+  };
+  const Mesh mesh = cube(3);
+  const auto result = adapt(mesh, test::uniform(0.15), options);
+  EXPECT_FALSE(result.report.cancelled);
+  EXPECT_EQ(result.report.rounds, static_cast<std::size_t>(last_round + 1));
+  EXPECT_EQ(vertices, result.mesh.points.size());
+  EXPECT_EQ(tetrahedra, result.mesh.tetrahedra.size());
+  std::size_t reported = 0, inserted = 0, collapsed = 0;
+  for (const PassReport& pass : result.report.passes) {
+    // A pass may swap edges and faces in one; the callback counts under the first.
+    if (pass.name != "swap faces") reported += pass.accepted;
+    if (pass.name == "insert") inserted = pass.accepted;
+    if (pass.name == "collapse") collapsed = pass.accepted;
+  }
+  EXPECT_EQ(reported, accepted);
+  EXPECT_EQ(mesh.points.size() + inserted - collapsed, result.mesh.points.size());
+  const AdaptResult silent = adapt(mesh, test::uniform(0.15));
+  EXPECT_EQ(silent.report.hash, result.report.hash) << "looking on changes nothing";
+}
+
+TEST(Adapt, CancellingGivesBackAValidMesh) {
+  Mesh mesh = test::two_regions(4);
+  test::jitter(mesh, 0.04, 1);
+  mesh.required_tetrahedra = {5};
+  for (int after = 1; after <= 9; ++after) {
+    AdaptOptions options;
+    int calls = 0;
+    options.progress = [&](const Progress&) { return ++calls < after; };
+    const auto result = adapt(mesh, test::patchwork(0.6, 1), options);
+    EXPECT_TRUE(result.report.cancelled);
+    EXPECT_EQ(calls, after) << "called again though it said no";
+    test::expect_faithful(result, mesh);
+  }
+}
+
+TEST(Adapt, MendsWhatItCanAndSaysSo) {
+  Mesh mesh = test::two_regions(4);
+  const Mesh sound = mesh;
+  for (const std::size_t t : {3, 30, 31}) std::swap(mesh.tetrahedra[t][0], mesh.tetrahedra[t][3]);
+  mesh.triangles.resize(mesh.triangles.size() - 10);
+  mesh.triangle_refs.resize(mesh.triangles.size());
+  const auto result = adapt(mesh, test::uniform(0.2));
+  EXPECT_EQ(result.report.reoriented, 3);
+  EXPECT_EQ(result.report.triangles_built, 10);
+  EXPECT_EQ(defects(result.mesh), std::vector<std::string>{});
+  EXPECT_NEAR(test::volume_of(result.mesh), 1, 1e-12);
+  test::expect_same_sums(test::volumes(result.mesh), test::volumes(sound), "region");
+}
+
+}  // namespace
+}  // namespace taut

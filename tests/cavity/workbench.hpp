@@ -1,0 +1,217 @@
+// A mesh ready for operations, and what every one of them must leave as it was.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <map>
+#include <set>
+
+#include "adapt/setup.hpp"
+#include "cavity/kernel.hpp"
+#include "geometry/classified.hpp"
+#include "geometry/surface_edges.hpp"
+#include "mesh/invariants.hpp"
+#include "mesh/shapes.hpp"
+#include "metric/quality.hpp"
+#include "metric/random_metrics.hpp"
+
+namespace taut::test {
+
+class Workbench {
+public:
+  explicit Workbench(const Mesh& input, const Metric& metric, Surface surface = Surface::adapt)
+      : problem_(set_up(input, metric, with(surface), report_)) {}
+  Workbench(const Workbench&) = delete;
+  Workbench& operator=(const Workbench&) = delete;
+
+private:
+  static AdaptOptions with(Surface surface) {
+    AdaptOptions options;
+    options.surface = surface;
+    return options;
+  }
+
+  Report report_;
+  Problem problem_;
+
+public:
+  TetMesh& mesh = problem_.mesh;
+  const Model& model = problem_.model;
+  const Target& target = *problem_.target;
+  Kernel kernel{mesh, model, target};
+};
+
+/// Bit for bit all that a refused operation must not touch: everything but the notes of what was tried.
+struct Snapshot {
+  explicit Snapshot(const TetMesh& m)
+      : vertices(m.vertices),
+        tet_of_vertex(m.tet_of_vertex),
+        host_of_vertex(m.host_of_vertex),
+        origin_of_vertex(m.origin_of_vertex),
+        tag_of_vertex(m.tag_of_vertex),
+        region_of_tet(m.region_of_tet),
+        tets(m.tets),
+        triangles(m.triangles),
+        counts{m.vertex_count(), m.tet_count(), m.triangle_count()},
+        next_vertex(m.next_vertex()) {}
+
+  [[nodiscard]] bool operator==(const Snapshot& o) const {
+    const auto same_tet = [](const Tet& s, const Tet& t) { return s.v == t.v && s.n == t.n && s.quality == t.quality; };
+    const auto same_triangle = [](const Triangle& s, const Triangle& t) {
+      return s.v == t.v && s.side == t.side && s.line == t.line && s.patch == t.patch;
+    };
+    const auto same_vertex = [](const Vertex& s, const Vertex& t) { return s.x == t.x && s.m == t.m; };
+    return std::ranges::equal(vertices, o.vertices, same_vertex) && tet_of_vertex == o.tet_of_vertex &&
+           host_of_vertex == o.host_of_vertex && origin_of_vertex == o.origin_of_vertex &&
+           tag_of_vertex == o.tag_of_vertex && region_of_tet == o.region_of_tet &&
+           std::ranges::equal(tets, o.tets, same_tet) && std::ranges::equal(triangles, o.triangles, same_triangle) &&
+           counts == o.counts && next_vertex == o.next_vertex;
+  }
+
+  std::vector<Vertex> vertices;
+  std::vector<TetId> tet_of_vertex;
+  std::vector<std::uint32_t> host_of_vertex, origin_of_vertex;
+  std::vector<Tag> tag_of_vertex;
+  std::vector<RegionId> region_of_tet;
+  std::vector<Tet> tets;
+  std::vector<Triangle> triangles;
+  std::array<std::size_t, 3> counts;
+  VertexId next_vertex;
+};
+
+/// What no operation may change: volumes of regions, areas of patches, lengths of lines, places of corners.
+struct Conserved {
+  std::map<std::uint32_t, double> volume, area, length;
+  std::set<Vec3> corners;
+};
+
+inline Conserved conserved_by(const Workbench& bench) {
+  const TetMesh& m = bench.mesh;
+  Conserved sums;
+  for (TetId t = 0; t < m.tets.size(); ++t) {
+    const auto& v = m.tets[t].v;
+    if (m.tets[t].alive())
+      sums.volume[m.region_of_tet[t]] += six_volumes(m.x(v[0]), m.x(v[1]), m.x(v[2]), m.x(v[3])) / 6;
+  }
+  for (const Triangle& t : m.triangles) {
+    if (!t.alive()) continue;
+    sums.area[t.patch] += norm(cross(m.x(t.v[1]) - m.x(t.v[0]), m.x(t.v[2]) - m.x(t.v[0]))) / 2;
+    for (int k = 0; k < 3; ++k)
+      if (t.line[k] != none) sums.length[t.line[k]] += norm(m.x(t.v[(k + 1) % 3]) - m.x(t.v[(k + 2) % 3]));
+  }
+  for (VertexId v = 0; v < m.vertices.size(); ++v)
+    if (m.is_vertex_alive(v) && m.tag_of_vertex[v].dimension == 0) sums.corners.insert(m.x(v));
+  return sums;
+}
+
+inline void expect_near(const std::map<std::uint32_t, double>& found, const std::map<std::uint32_t, double>& expected,
+                        const char* what) {
+  ASSERT_EQ(found.size(), expected.size()) << what;
+  for (const auto& [id, value] : expected) ASSERT_NEAR(found.at(id), value, 1e-13 * (1 + value)) << what << " " << id;
+}
+
+inline void expect_on_geometry(const Workbench& bench) {
+  const TetMesh& m = bench.mesh;
+  for (VertexId v = 0; v < m.vertices.size(); ++v) {
+    const Tag tag = m.tag_of_vertex[v];
+    if (!m.is_vertex_alive(v) || tag.dimension == 0 || tag.dimension == 3) continue;
+    ASSERT_LT(norm(bench.model.project(tag, m.x(v)) - m.x(v)), 1e-13) << "vertex " << v << " has left its place";
+  }
+  std::vector<Triangle> living;
+  for (const Triangle& t : m.triangles) {
+    if (!t.alive()) continue;
+    living.push_back(t);
+    if (bench.model.patches[t.patch].frozen) continue;
+    for (VertexId v : t.v) ASSERT_TRUE(bench.model.on_patch(m.tag_of_vertex[v], t.patch)) << "patch " << t.patch;
+  }
+  for_each_edge(edge_uses(living), [&](std::span<const EdgeUse> uses) {
+    const Triangle& first = living[uses[0].triangle];
+    const LineId line = first.line[uses[0].corner];
+    bool one_patch = uses.size() == 2;
+    for (const EdgeUse& use : uses) {
+      const Triangle& t = living[use.triangle];
+      one_patch &= t.patch == first.patch;
+      ASSERT_EQ(t.line[use.corner], line) << "the triangles at an edge differ about its line";
+    }
+    ASSERT_TRUE(one_patch || line != none) << "patches meet where there is no line";
+    if (line == none || bench.model.lines[line].frozen) return;
+    for (VertexId v : uses[0].edge) ASSERT_TRUE(bench.model.on_line(m.tag_of_vertex[v], line));
+  });
+}
+
+inline double quality_of(const TetMesh& m, TetId t) {
+  const Vertex* p[4];
+  for (int k = 0; k < 4; ++k) p[k] = &m.vertices[m.tets[t].v[k]];
+  return shape_quality(p[0]->x, p[1]->x, p[2]->x, p[3]->x, p[0]->m, p[1]->m, p[2]->m, p[3]->m);
+}
+
+inline void expect_sound(const Workbench& bench, const Conserved& before) {
+  std::vector<int> refs;
+  for (const Region& region : bench.model.regions) refs.push_back(region.ref);
+  ASSERT_EQ(first_broken_invariant(bench.mesh, refs), "");
+  const Conserved now = conserved_by(bench);
+  expect_near(now.volume, before.volume, "region");
+  expect_near(now.area, before.area, "patch");
+  expect_near(now.length, before.length, "line");
+  ASSERT_EQ(now.corners, before.corners);
+  expect_on_geometry(bench);
+  for (TetId t = 0; t < bench.mesh.tets.size(); ++t) {
+    if (!bench.mesh.tets[t].alive()) continue;
+    ASSERT_NEAR(bench.mesh.tets[t].quality, quality_of(bench.mesh, t), 1e-6);
+  }
+}
+
+/// Does an operation; if it is refused nothing may have changed, if it is accepted all stays sound.
+class Trials {
+public:
+  explicit Trials(Workbench& bench) : bench_(bench), conserved_(conserved_by(bench)) {}
+
+  template <class Operation>
+  Refusal operator()(Operation operation) {
+    const Snapshot before(bench_.mesh);
+    const Refusal outcome = operation();
+    ++count[outcome];
+    if (outcome == Refusal::accepted)
+      expect_sound(bench_, conserved_);
+    else
+      EXPECT_TRUE(Snapshot(bench_.mesh) == before) << "changed, though refused: " << name(outcome);
+    return outcome;
+  }
+
+  static const char* name(Refusal refusal) { return refusal_names[static_cast<std::size_t>(refusal)]; }
+
+  std::map<Refusal, int> count;
+
+private:
+  Workbench& bench_;
+  Conserved conserved_;
+};
+
+/// Calls visit(t, edge) for every edge of every tetrahedron that is there when its turn comes.
+template <class Visit>
+void for_each_tet_edge(const TetMesh& mesh, Visit visit) {
+  const auto count = static_cast<TetId>(mesh.tets.size());
+  for (TetId t = 0; t < count; ++t)
+    for (int e = 0; e < 6 && mesh.tets[t].alive(); ++e)
+      if (!testing::Test::HasFatalFailure()) visit(t, e);
+}
+
+/// A cube, a cube turned, two regions, a domain that is not convex, and one with a curved side; all disturbed.
+inline std::vector<Mesh> disturbed_domains() {
+  std::vector<Mesh> meshes = {cube(3), two_regions(4), l_shape(4), cube(3), cube(4)};
+  for (unsigned i = 0; i < 5; ++i) jitter(meshes[i], i == 3 ? 0.07 : 0.05, i);
+  meshes[3] = askew(meshes[3]);
+  meshes[4] = vault(meshes[4]);
+  return meshes;
+}
+
+/// Metrics of random sizes from `smallest` times size to size, in random directions.
+inline Tensors random_field(const Mesh& mesh, double size, unsigned seed, double smallest = 0.25) {
+  Random random(seed);
+  Tensors field;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) field.push_back(1 / (size * size) * random.metric(smallest));
+  return field;
+}
+
+}  // namespace taut::test

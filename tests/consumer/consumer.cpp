@@ -1,0 +1,32 @@
+// A program outside this project: a cube of six tetrahedra, adapted to a uniform size.
+#include <taut/taut.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace {
+
+// One tetrahedron for each way from corner 000 to corner 111 along the axes; odd ways are turned round.
+taut::Mesh cube() {
+  taut::Mesh mesh;
+  for (int corner = 0; corner < 8; ++corner)
+    mesh.points.push_back({double(corner & 1), double(corner >> 1 & 1), double(corner >> 2 & 1)});
+  std::array<taut::Index, 3> step = {1, 2, 4};
+  do {
+    const taut::Index first = step[0], second = step[0] + step[1];
+    const bool odd = (step[0] > step[1]) ^ (step[0] > step[2]) ^ (step[1] > step[2]);
+    mesh.tetrahedra.push_back({0, odd ? second : first, odd ? first : second, 7});
+  } while (std::next_permutation(step.begin(), step.end()));
+  return mesh;
+}
+
+}  // namespace
+
+int main() {
+  const taut::Mesh mesh = cube();
+  const taut::AdaptResult result = taut::adapt(mesh, taut::Sizes(mesh.points.size(), 0.25));
+  std::printf("taut %s: %zu tetrahedra, tau %.3f\n", TAUT_VERSION, result.mesh.tetrahedra.size(),
+              result.report.quality.tau);
+  return taut::defects(result.mesh).empty() && result.mesh.tetrahedra.size() > 6 ? 0 : 1;
+}

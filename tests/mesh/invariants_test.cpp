@@ -1,0 +1,134 @@
+#include "mesh/invariants.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mesh/build.hpp"
+#include "mesh/shapes.hpp"
+
+namespace taut {
+namespace {
+
+TetMesh sound() {
+  return build(test::two_regions(2)).mesh;
+}
+
+std::vector<TetId> all_tets(const TetMesh& mesh) {
+  std::vector<TetId> tets;
+  for (TetId t = 0; t < mesh.tets.size(); ++t) tets.push_back(t);
+  return tets;
+}
+
+// Breaks a sound mesh and looks for the words; the local check must find it too, unless it is about the dead.
+template <class Break>
+void expect_found(Break damage, const std::string& words, bool locally = true) {
+  TetMesh mesh = sound();
+  damage(mesh);
+  const std::string whole = first_broken_invariant(mesh);
+  EXPECT_NE(whole.find(words), std::string::npos) << "expected: " << words << "\nfound: " << whole;
+  EXPECT_EQ(first_broken_invariant(mesh, all_tets(mesh)).empty(), !locally) << words;
+}
+
+// A face between two tetrahedra, and one at a triangle between two.
+FaceLink inner_face(const TetMesh& mesh) {
+  for (TetId t = 0; t < mesh.tets.size(); ++t)
+    for (int f = 0; f < 4; ++f)
+      if (!mesh.tets[t].n[f].is_triangle()) return FaceLink::to_face(t, f);
+  return outside;
+}
+
+TriangleId interface_triangle(const TetMesh& mesh) {
+  TriangleId t = 0;
+  while (mesh.triangles[t].side[1] == outside) ++t;
+  return t;
+}
+
+TEST(Invariants, HoldInABuiltMesh) {
+  const TetMesh mesh = sound();
+  EXPECT_EQ(first_broken_invariant(mesh), "");
+  EXPECT_EQ(first_broken_invariant(mesh, all_tets(mesh)), "");
+}
+
+TEST(Invariants, OfOrientation) {
+  expect_found([](TetMesh& m) { m.vertices[m.tets[5].v[0]].x = {9, 9, 9}; }, "is not positive");
+  expect_found([](TetMesh& m) { m.vertices[m.tets[5].v[0]].x = m.x(m.tets[5].v[1]); }, "is not positive");
+}
+
+TEST(Invariants, OfLinks) {
+  expect_found([](TetMesh& m) { m.tets[3].n[1] = outside; }, "");
+  expect_found(
+      [](TetMesh& m) {
+        const FaceLink face = inner_face(m), other = m.tets[face.tet()].n[face.face()];
+        m.tets[face.tet()].n[face.face()] = FaceLink::to_face(other.tet(), (other.face() + 1) % 4);
+      },
+      "links to");
+  // Two vertices of a tetrahedron change places with the faces opposite: links hold, orientation does not.
+  expect_found(
+      [](TetMesh& m) {
+        std::swap(m.tets[3].v[0], m.tets[3].v[1]);
+        std::swap(m.tets[3].n[0], m.tets[3].n[1]);
+      },
+      "");
+  expect_found(
+      [](TetMesh& m) {  // turned evenly without its links
+        auto& v = m.tets[inner_face(m).tet()].v;
+        v = {v[1], v[2], v[0], v[3]};
+      },
+      "");
+}
+
+TEST(Invariants, OfTriangles) {
+  expect_found([](TetMesh& m) { std::swap(m.triangles[2].v[0], m.triangles[2].v[1]); }, "of the triangle");
+  expect_found([](TetMesh& m) { std::swap(m.triangles[2].side[0], m.triangles[2].side[1]); }, "side 0");
+  expect_found(
+      [](TetMesh& m) {
+        auto& side = m.triangles[interface_triangle(m)].side;
+        std::swap(side[0], side[1]);
+      },
+      "of the triangle");
+  expect_found([](TetMesh& m) { m.triangles[interface_triangle(m)].side[1] = outside; }, "");
+  expect_found([](TetMesh& m) { m.triangles[1].side[0] = m.triangles[2].side[0]; }, "");
+  expect_found([](TetMesh& m) { m.remove_triangle(4); }, "dead");
+}
+
+TEST(Invariants, OfRegions) {
+  expect_found([](TetMesh& m) { m.region_of_tet[7] = 2; }, "parts two regions");
+  TetMesh mesh = sound();
+  const RegionId region = mesh.region_of_tet[7];
+  mesh.region_of_tet[7] = 2;
+  EXPECT_EQ(first_broken_invariant(mesh, std::vector<int>{1, 2, region + 1}), "");
+  EXPECT_NE(first_broken_invariant(mesh, std::vector<int>{1, 2, 2 - region}), "");
+  EXPECT_EQ(first_broken_invariant(mesh, std::vector<TetId>{7}), "") << "only those given are compared";
+}
+
+TEST(Invariants, OfVertices) {
+  expect_found([](TetMesh& m) { m.tet_of_vertex[4] = none; }, "");
+  expect_found(
+      [](TetMesh& m) {
+        TetId t = 0;
+        while (m.tets[t].has(4)) ++t;
+        m.tet_of_vertex[4] = t;
+      },
+      "which lacks it");
+  expect_found([](TetMesh& m) { m.remove_vertex(4); }, "dead");
+  expect_found([](TetMesh& m) { m.tets[3].v[2] = 1000; }, "");
+}
+
+TEST(Invariants, OfTheDead) {
+  expect_found([](TetMesh& m) { m.tet_of_vertex[m.add_vertex({}, {}, 0)] = m.add_tet(); }, "", true);
+  expect_found([](TetMesh& m) { m.remove_tet(m.add_tet()), m.tets.back().v = m.tets[0].v; }, "tetrahedra", true);
+  expect_found([](TetMesh& m) { m.remove_triangle(m.add_triangle()), m.triangles.pop_back(); }, "triangles", false);
+  expect_found([](TetMesh& m) { m.drift.pop_back(); }, "arrays of vertices", false);
+  expect_found([](TetMesh& m) { m.region_of_tet.push_back(0); }, "arrays of tetrahedra", false);
+}
+
+TEST(Invariants, AllowTheDead) {
+  TetMesh mesh = sound();
+  const VertexId v = mesh.add_vertex({}, {}, 0);
+  mesh.remove_vertex(v);
+  mesh.remove_tet(mesh.add_tet());
+  mesh.remove_triangle(mesh.add_triangle());
+  EXPECT_EQ(first_broken_invariant(mesh), "");
+}
+
+}  // namespace
+}  // namespace taut

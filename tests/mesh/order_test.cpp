@@ -1,0 +1,123 @@
+#include "mesh/order.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "mesh/build.hpp"
+#include "mesh/canonical.hpp"
+#include "mesh/hilbert.hpp"
+#include "mesh/invariants.hpp"
+#include "mesh/shapes.hpp"
+
+namespace taut {
+namespace {
+
+std::vector<std::uint32_t> identity(std::size_t n) {
+  std::vector<std::uint32_t> order(n);
+  for (std::uint32_t i = 0; i < n; ++i) order[i] = i;
+  return order;
+}
+
+TEST(HilbertOrder, IsAPermutation) {
+  std::mt19937_64 generator(1);
+  std::normal_distribution<double> normal(3, 100);
+  for (const std::size_t n : {0, 1, 2, 1000}) {
+    std::vector<Vec3> points(n);
+    for (Vec3& p : points) p = {normal(generator), 1e-9 * normal(generator), 1e9 * normal(generator)};
+    auto order = hilbert_order(points);
+    std::sort(order.begin(), order.end());
+    EXPECT_EQ(order, identity(n));
+  }
+}
+
+TEST(HilbertOrder, WalksAGridStepByStep) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < 512; ++i)
+    points.push_back({static_cast<double>(i * 5 % 8), static_cast<double>(i / 8 % 8), static_cast<double>(i / 64)});
+  const auto order = hilbert_order(points);
+  for (std::size_t i = 1; i < order.size(); ++i)
+    EXPECT_EQ(norm(points[order[i]] - points[order[i - 1]]), 1) << "step " << i;
+}
+
+TEST(HilbertOrder, TiesKeepTheirOrder) {
+  EXPECT_EQ(hilbert_order(std::vector<Vec3>(20, {1, 2, 3})), identity(20));
+  const auto flat = hilbert_order(std::vector<Vec3>{{0, 5, 1}, {1, 5, 1}, {0, 5, 1}, {1, 5, 1}});
+  EXPECT_EQ(flat, (std::vector<std::uint32_t>{0, 2, 1, 3}));
+}
+
+// Dead entities, some of them between living ones.
+void wear(TetMesh& mesh) {
+  for (VertexId& v : mesh.tets.emplace_back().v) v = none;
+  mesh.region_of_tet.push_back(0);
+  mesh.remove_tet(static_cast<TetId>(mesh.tets.size() - 1));
+  const VertexId a = mesh.add_vertex({}, {}, 0), b = mesh.add_vertex({}, {}, 0);
+  mesh.remove_vertex(a);
+  mesh.remove_vertex(b);
+  mesh.remove_triangle(mesh.add_triangle());
+  const TetId last = static_cast<TetId>(mesh.tets.size() - 2);
+  // The last living tetrahedron changes places with the dead one behind it.
+  std::swap(mesh.tets[last], mesh.tets[last + 1]);
+  std::swap(mesh.region_of_tet[last], mesh.region_of_tet[last + 1]);
+  for (TetId& t : mesh.tet_of_vertex) t = t == last ? last + 1 : t;
+  for (int f = 0; f < 4; ++f) {
+    const FaceLink link = mesh.tets[last + 1].n[f], here = FaceLink::to_face(last + 1, f);
+    if (link.is_triangle())
+      for (FaceLink& side : mesh.triangles[link.triangle()].side)
+        side = side == FaceLink::to_face(last, f) ? here : side;
+    else
+      mesh.tets[link.tet()].n[link.face()] = here;
+  }
+}
+
+TEST(Reorder, KeepsTheMeshAndDropsTheDead) {
+  Mesh input = test::two_regions(4);
+  test::jitter(input, 0.05, 3);
+  TetMesh mesh = build(input).mesh;
+  const auto before = test::canonical(mesh);
+  for (VertexId v = 0; v < mesh.vertices.size(); ++v) {  // to be recognised
+    mesh.host_of_vertex[v] = v;
+    mesh.tag_of_vertex[v] = {2, v};
+    mesh.vertices[v].m = {mesh.x(v)[0], mesh.x(v)[1], mesh.x(v)[2], 0, 0, 0};
+    mesh.drift[v] = static_cast<float>(mesh.x(v)[1]);
+    mesh.restless[v] = mesh.x(v)[0] > 0.5 ? 1 : 0;
+  }
+  const auto origin = mesh.origin_of_vertex;
+  wear(mesh);
+  ASSERT_EQ(test::canonical(mesh), before);
+  ASSERT_LT(mesh.tet_count(), mesh.tets.size());
+  reorder(mesh);
+  EXPECT_EQ(first_broken_invariant(mesh), "");
+  EXPECT_EQ(test::canonical(mesh), before);
+  EXPECT_EQ(mesh.tets.size(), input.tetrahedra.size());
+  EXPECT_EQ(mesh.vertices.size(), input.points.size());
+  EXPECT_EQ(mesh.triangles.size(), input.triangles.size());
+  for (VertexId v = 0; v < mesh.vertices.size(); ++v) {
+    EXPECT_EQ(mesh.x(v), input.points[mesh.origin_of_vertex[v]]);
+    EXPECT_EQ(mesh.origin_of_vertex[v], origin[mesh.host_of_vertex[v]]);
+    EXPECT_EQ(mesh.tag_of_vertex[v], Tag(2, mesh.host_of_vertex[v]));
+    EXPECT_EQ(mesh.vertices[v].m[2], mesh.x(v)[2]);
+    EXPECT_EQ(mesh.drift[v], static_cast<float>(mesh.x(v)[1]));
+    EXPECT_EQ(mesh.restless[v] != 0, mesh.x(v)[0] > 0.5);
+  }
+}
+
+TEST(Reorder, BringsNeighboursTogether) {
+  const TetMesh mesh = build(test::cube(8)).mesh;
+  TetId widest = 0;
+  for (TetId t = 0; t + 1 < mesh.tets.size(); ++t) {
+    const auto smallest = [&](TetId i) { return *std::ranges::min_element(mesh.tets[i].v); };
+    EXPECT_LE(smallest(t), smallest(t + 1));
+    widest = std::max(widest, smallest(t + 1) - smallest(t));
+  }
+  EXPECT_LT(widest, mesh.vertices.size() / 8);
+}
+
+TEST(Reorder, IsDoneAfterOnce) {
+  TetMesh mesh = build(test::cube(3)).mesh, again = mesh;
+  reorder(again);
+  for (TetId t = 0; t < mesh.tets.size(); ++t) EXPECT_EQ(mesh.tets[t].v, again.tets[t].v);
+}
+
+}  // namespace
+}  // namespace taut
