@@ -49,8 +49,7 @@ void assemble_tets(const Problem& problem, const Mesh& input, AdaptResult& resul
   const TetMesh& work = problem.mesh;
   for (TetId t = 0; t < work.tets.size(); ++t) {
     const Region& region = problem.model.regions[work.region_of_tet[t]];
-    // A frozen region also holds the tetrahedra round an edge inside the volume: required only if the input says so.
-    if (region.frozen && !input.required_tetrahedra.empty()) result.mesh.required_tetrahedra.push_back(t);
+    if (region.required) result.mesh.required_tetrahedra.push_back(t);
     result.mesh.tetrahedra.push_back(work.tets[t].v);
     result.mesh.tetrahedron_refs.push_back(region.ref);
   }

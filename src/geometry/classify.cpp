@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "geometry/surface_edges.hpp"
 #include "taut/error.hpp"
@@ -36,7 +37,7 @@ public:
 
   Model run() {
     for (std::size_t r = 0; r < built_.region_refs.size(); ++r)
-      model_.regions.push_back({built_.region_refs[r], built_.region_frozen[r] != 0});
+      model_.regions.push_back({built_.region_refs[r], built_.region_required[r] != 0, built_.region_required[r] != 0});
     model_.corners.emplace_back();  // shared by the vertices of frozen patches
     mark_required();
     find_normals();
@@ -153,8 +154,9 @@ private:
     auto& regions = model_.regions;
     if (regions[region].frozen) return region;
     for (std::size_t r = 0; r < regions.size(); ++r)
-      if (regions[r].frozen && regions[r].ref == regions[region].ref) return static_cast<RegionId>(r);
-    regions.push_back({regions[region].ref, true});
+      if (regions[r].frozen && !regions[r].required && regions[r].ref == regions[region].ref)
+        return static_cast<RegionId>(r);
+    regions.push_back({regions[region].ref, true, false});
     return static_cast<RegionId>(regions.size() - 1);
   }
 
@@ -230,8 +232,46 @@ private:
       if (model_.patches[t.patch].frozen)
         for (VertexId v : t.v) fixed_[v] = 1;
     for (const Feature& f : features_)
-      if (f.required || is_dangling(f)) fixed_[f.edge[0]] = fixed_[f.edge[1]] = 1;
+      if (stays(f)) fixed_[f.edge[0]] = fixed_[f.edge[1]] = 1;
+    fix_pinched_vertices();
   }
+
+  // Where parts of the mesh touch in no more than a vertex, a walk round it would find one part only.
+  void fix_pinched_vertices() {
+    std::vector<std::uint32_t> degree(mesh_.vertices.size(), 0);
+    for (const Tet& tet : mesh_.tets)
+      for (VertexId v : tet.v) ++degree[v];
+    std::vector<std::uint8_t> seen(mesh_.vertices.size(), 0);
+    for (const Triangle& t : mesh_.triangles) {
+      if (t.side[1] != outside) continue;
+      for (VertexId v : t.v) {
+        if (std::exchange(seen[v], 1) != 0 || fixed_[v] != 0) continue;
+        if (connected_degree(v) != degree[v]) fixed_[v] = 1;
+      }
+    }
+  }
+
+  // Tetrahedra at v that are reached from one of them without leaving v.
+  [[nodiscard]] std::size_t connected_degree(VertexId v) const {
+    std::vector<TetId> reached{mesh_.tet_of_vertex[v]};
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+      const TetId t = reached[i];
+      for (int f = 0; f < 4; ++f) {
+        const FaceLink link = mesh_.tets[t].v[f] == v ? outside : mesh_.beyond(t, f);
+        if (link != outside && std::find(reached.begin(), reached.end(), link.tet()) == reached.end())
+          reached.push_back(link.tet());
+      }
+    }
+    return reached.size();
+  }
+
+  // Where parts touch in an edge, more than two of its triangles bound the domain: a shell would be one part only.
+  [[nodiscard]] bool is_pinched(const Feature& f) const {
+    return std::count_if(f.uses.begin(), f.uses.end(),
+                         [&](const EdgeUse& use) { return mesh_.triangles[use.triangle].side[1] == outside; }) > 2;
+  }
+
+  [[nodiscard]] bool stays(const Feature& f) const { return f.required || is_dangling(f) || is_pinched(f); }
 
   void fix_point(Index point) {
     if (built_.vertex_of_point[point] != none) fixed_[built_.vertex_of_point[point]] = 1;
@@ -294,8 +334,8 @@ private:
       ends[k] = v;
     }
     const Vec3 along = mesh_.x(ends[1]) - mesh_.x(ends[0]);
-    model_.lines.push_back({f.ref, f.required || is_dangling(f), f.sharp, f.required, f.implicit, mesh_.x(ends[0]),
-                            (1 / norm(along)) * along, patches_of(f)});
+    model_.lines.push_back(
+        {f.ref, stays(f), f.sharp, f.required, f.implicit, mesh_.x(ends[0]), (1 / norm(along)) * along, patches_of(f)});
   }
 
   void tag_vertices() {

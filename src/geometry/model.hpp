@@ -37,10 +37,11 @@ struct Corner {
   std::vector<LineId> lines;
 };
 
-/// One reference of tetrahedra. The tetrahedra of a frozen region are required.
+/// One reference of tetrahedra. Those of a frozen region stay: the input requires them, or an edge inside the volume does.
 struct Region {
   int ref = 0;
   bool frozen = false;
+  bool required = false;
 };
 
 /// An edge of the input inside the volume: the tetrahedra round it stay as they are.

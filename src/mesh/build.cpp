@@ -35,9 +35,9 @@ void number_regions(const Mesh& input, Built& built) {
   std::sort(regions.begin(), regions.end());
   regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
   require_region_count(regions.size());
-  for (const auto& [ref, frozen] : regions) {
+  for (const auto& [ref, required] : regions) {
     built.region_refs.push_back(ref);
-    built.region_frozen.push_back(frozen);
+    built.region_required.push_back(required);
   }
   built.mesh.region_of_tet.resize(key.size());
   for (std::size_t t = 0; t < key.size(); ++t) {

@@ -13,7 +13,7 @@ struct Built {
   std::vector<VertexId> vertex_of_point;  ///< `none` for a point of no tetrahedron
   std::vector<TriangleId> triangle_of_input;
   std::vector<int> region_refs;             ///< reference of each region
-  std::vector<std::uint8_t> region_frozen;  ///< whether it holds the required tetrahedra of that reference
+  std::vector<std::uint8_t> region_required;  ///< whether it holds the required tetrahedra of that reference
   std::vector<int> triangle_refs;           ///< reference of each triangle of `mesh`; 0 for those built
   std::size_t reoriented = 0;               ///< inverted tetrahedra turned round
   std::size_t triangles_built = 0;          ///< missing triangles of the boundary and between regions

@@ -127,7 +127,7 @@ TEST(Build, NumbersRegionsByReference) {
   mesh.required_tetrahedra = {0, 1};
   const Built built = build(mesh);
   EXPECT_EQ(built.region_refs, (std::vector<int>{-4, 30, 30}));
-  EXPECT_EQ(built.region_frozen, (std::vector<std::uint8_t>{0, 0, 1}));
+  EXPECT_EQ(built.region_required, (std::vector<std::uint8_t>{0, 0, 1}));
   EXPECT_EQ(std::ranges::count(built.mesh.region_of_tet, RegionId{2}), 2);
   EXPECT_EQ(built.triangles_built, 0) << "required tetrahedra have the reference of their neighbours";
   EXPECT_EQ(first_broken_invariant(built.mesh, built.region_refs), "");
