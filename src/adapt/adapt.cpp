@@ -21,7 +21,7 @@ public:
     for (round_ = 0; round_ < options_.passes && !report_.cancelled; ++round_) {
       const Gain last = std::exchange(gain, round());
       ++report_.rounds;
-      if (kernel_.mesh.tets.size() > tets_when_ordered_ + tets_when_ordered_ / 2) put_in_order();
+      if (is_disordered(gain)) put_in_order();
       if (round_ > 0 && is_settled(gain, last)) break;
     }
     put_in_order();
@@ -51,6 +51,12 @@ private:
     if (!grows) pass(repair_, [&] { repair_pass(kernel_, {}, repair_); });
     pass(relocation_, [&] { relocation_pass(kernel_, {}, relocation_); });
     return {changed, kernel_.efficiency_gain / (edges_per_tet_ * tets)};
+  }
+
+  // While the mesh grows order is restored now and then, and once more for the long rounds in which it grows no longer.
+  [[nodiscard]] bool is_disordered(const Gain& gain) const {
+    const double growth = static_cast<double>(kernel_.mesh.tets.size()) / static_cast<double>(tets_when_ordered_);
+    return growth > (gain.changed > growing_ ? 1.5 : 1.1);
   }
 
   [[nodiscard]] bool is_settled(const Gain& gain, const Gain& last) const {

@@ -45,7 +45,7 @@ void assemble_vertices(const Problem& problem, const Mesh& input, AdaptResult& r
   keep(input.required_points, result.mesh.required_points);
 }
 
-void assemble_tets(const Problem& problem, const Mesh& input, AdaptResult& result) {
+void assemble_tets(const Problem& problem, AdaptResult& result) {
   const TetMesh& work = problem.mesh;
   for (TetId t = 0; t < work.tets.size(); ++t) {
     const Region& region = problem.model.regions[work.region_of_tet[t]];
@@ -89,7 +89,7 @@ void assemble_edges(const Problem& problem, AdaptResult& result) {
 
 void assemble(const Problem& problem, const Mesh& input, AdaptResult& result) {
   assemble_vertices(problem, input, result);
-  assemble_tets(problem, input, result);
+  assemble_tets(problem, result);
   assemble_triangles(problem, result);
   assemble_edges(problem, result);
   result.report.hash = hash_of(result.mesh);

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <utility>
 
+#include "geometry/patches.hpp"
 #include "geometry/surface_edges.hpp"
 #include "taut/error.hpp"
 
@@ -160,64 +160,17 @@ private:
     return static_cast<RegionId>(regions.size() - 1);
   }
 
-  // Union-find over the triangles, joined across the edges that are no feature.
+  // Triangles are of one patch where no feature parts them.
   void find_patches() {
-    std::vector<TriangleId> parent(mesh_.triangles.size());
-    std::iota(parent.begin(), parent.end(), TriangleId{0});
-    const auto root = [&](TriangleId t) {
-      while (parent[t] != t) t = parent[t] = parent[parent[t]];
-      return t;
-    };
+    std::vector<std::array<TriangleId, 2>> joined;
     std::size_t next_feature = 0;
     for_each_edge(uses_, [&](std::span<const EdgeUse> uses) {
-      if (next_feature < features_.size() && features_[next_feature].edge == uses[0].edge) {
+      if (next_feature < features_.size() && features_[next_feature].edge == uses[0].edge)
         ++next_feature;
-        return;
-      }
-      const TriangleId a = root(uses[0].triangle), b = root(uses[1].triangle);
-      parent[std::max(a, b)] = std::min(a, b);
+      else
+        joined.push_back({uses[0].triangle, uses[1].triangle});
     });
-    std::vector<PatchId> patch_of_root(parent.size(), none);
-    for (TriangleId t = 0; t < mesh_.triangles.size(); ++t) {
-      PatchId& patch = patch_of_root[root(t)];
-      if (patch == none) {
-        patch = static_cast<PatchId>(model_.patches.size());
-        model_.patches.push_back({built_.triangle_refs[t], false, required_triangle_[t] != 0, {}, 0});
-      }
-      mesh_.triangles[t].patch = patch;
-    }
-    fit_planes();
-  }
-
-  void fit_planes() {
-    auto& patches = model_.patches;
-    std::vector<double> largest(patches.size(), -1);
-    for (TriangleId t = 0; t < mesh_.triangles.size(); ++t) {  // the plane of the patch's largest triangle
-      Patch& patch = patches[mesh_.triangles[t].patch];
-      const double area = norm(area_normal_[t]);
-      if (area <= largest[mesh_.triangles[t].patch]) continue;
-      largest[mesh_.triangles[t].patch] = area;
-      patch.normal = (1 / area) * area_normal_[t];
-      snap_to_axis(patch.normal);
-      patch.offset = dot(patch.normal, mesh_.x(mesh_.triangles[t].v[0]));
-    }
-    for (const Triangle& t : mesh_.triangles) {
-      Patch& patch = patches[t.patch];
-      for (VertexId v : t.v)
-        if (std::fabs(dot(patch.normal, mesh_.x(v)) - patch.offset) > tolerance_) patch.frozen = true;
-    }
-    for (Patch& patch : patches) patch.frozen |= patch.required;
-  }
-
-  // A plane across an axis keeps its coordinate exactly: no rounding moves the vertices off it.
-  static void snap_to_axis(Vec3& normal) {
-    for (int d = 0; d < 3; ++d) {
-      if (std::fabs(normal[d]) < 1 - 1e-15) continue;
-      const double sign = normal[d] > 0 ? 1 : -1;
-      normal = {};
-      normal[d] = sign;
-      return;
-    }
+    model_.patches = make_patches(mesh_, joined, built_.triangle_refs, required_triangle_, tolerance_);
   }
 
   void find_fixed_vertices() {

@@ -37,7 +37,8 @@ struct Corner {
   std::vector<LineId> lines;
 };
 
-/// One reference of tetrahedra. Those of a frozen region stay: the input requires them, or an edge inside the volume does.
+/// One reference of tetrahedra. Those of a frozen region stay: the input requires them, or an edge inside the volume
+/// does.
 struct Region {
   int ref = 0;
   bool frozen = false;

@@ -12,11 +12,11 @@ struct Built {
   TetMesh mesh;                           ///< in Hilbert order; no patches, lines, tags or metrics yet
   std::vector<VertexId> vertex_of_point;  ///< `none` for a point of no tetrahedron
   std::vector<TriangleId> triangle_of_input;
-  std::vector<int> region_refs;             ///< reference of each region
+  std::vector<int> region_refs;               ///< reference of each region
   std::vector<std::uint8_t> region_required;  ///< whether it holds the required tetrahedra of that reference
-  std::vector<int> triangle_refs;           ///< reference of each triangle of `mesh`; 0 for those built
-  std::size_t reoriented = 0;               ///< inverted tetrahedra turned round
-  std::size_t triangles_built = 0;          ///< missing triangles of the boundary and between regions
+  std::vector<int> triangle_refs;             ///< reference of each triangle of `mesh`; 0 for those built
+  std::size_t reoriented = 0;                 ///< inverted tetrahedra turned round
+  std::size_t triangles_built = 0;            ///< missing triangles of the boundary and between regions
 };
 
 /// Throws InputError naming the entity, counted from 1 as in files: an index out of range, a coordinate that is not
