@@ -64,6 +64,18 @@ TEST(Required, EveryTriangleIsAsAFixedSurface) {
   }
 }
 
+TEST(Required, ATriangleBringsNoEdgesThatNobodyGave) {
+  Mesh mesh = test::cube(4);
+  Index t = 0;
+  while (std::ranges::count(mesh.triangles[t], at(0, 2, 2)) == 0) ++t;
+  mesh.required_triangles = {t};
+  for (const auto& field : fields()) {
+    const auto result = run(mesh, field);
+    test::expect_faithful(result, mesh);
+    EXPECT_NEAR(test::lengths(result.mesh)[0], 12, 1e-12) << "the cube's ridges";
+  }
+}
+
 TEST(Required, RidgesAndLinesKeepTheirReferencesAndPlaces) {
   Mesh mesh = test::cube(4);
   for (Index k = 0; k < 4; ++k) mesh.edges.push_back({at(0, 0, k), at(0, 0, k + 1)});  // a ridge of the cube
@@ -128,6 +140,17 @@ TEST(Required, TwoPartsThatTouchInAnEdgeOrAVertex) {
     for (const auto& field : fields())
       for (const Surface surface : {Surface::adapt, Surface::fixed})
         test::expect_faithful(run(mesh, field, surface), mesh);
+  }
+}
+
+TEST(Required, APartThatStandsOnAnotherInOneVertex) {
+  Index tip = 0;
+  const Mesh mesh = test::tip_on_a_table(tip);
+  for (const auto& field : fields()) {
+    const auto result = run(mesh, field);
+    test::expect_faithful(result, mesh);
+    ASSERT_NE(result.new_of_old[tip], AdaptResult::gone);
+    EXPECT_EQ(result.mesh.points[result.new_of_old[tip]], mesh.points[tip]);
   }
 }
 

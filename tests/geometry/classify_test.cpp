@@ -34,6 +34,47 @@ TEST(Classify, ACubeHasSixPatchesTwelveLinesAndEightCorners) {
   }
 }
 
+TEST(Classify, PlanesAcrossAnAxisAreExact) {
+  for (int i = 1; i <= 30; ++i) {
+    Mesh mesh = cube(3);
+    for (Point& p : mesh.points) p = {0.1 * i * p[0] - 0.7, 0.17 * i * p[1], 0.3 * p[2] + 1.1 * i};
+    const Classified c(mesh);
+    for (const Patch& patch : c.model.patches)
+      EXPECT_EQ(std::abs(patch.normal[0]) + std::abs(patch.normal[1]) + std::abs(patch.normal[2]), 1);
+    for (VertexId v = 0; v < c.built.mesh.vertices.size(); ++v) {
+      const Vec3 x = c.built.mesh.x(v);
+      const Tag tag = c.built.mesh.tag_of_vertex[v];
+      EXPECT_TRUE(tag.dimension != 2 || c.model.project(tag, x) == x);
+    }
+  }
+}
+
+TEST(Classify, PartsThatTouchInAnEdgeOrAVertexStayThere) {
+  const Mesh edge = test::restricted(test::grid(4), [](const Vec3& c) { return (c[0] < 0.5) == (c[1] < 0.5); });
+  const Mesh vertex = test::restricted(
+      test::grid(4), [](const Vec3& c) { return (c[0] < 0.5) == (c[1] < 0.5) && (c[0] < 0.5) == (c[2] < 0.5); });
+  for (const bool in_edge : {true, false}) {
+    const Classified c(in_edge ? edge : vertex);
+    for (VertexId v = 0; v < c.built.mesh.vertices.size(); ++v) {
+      const Vec3& x = c.built.mesh.x(v);
+      const bool touches = x[0] == 0.5 && x[1] == 0.5 && (in_edge || x[2] == 0.5);
+      EXPECT_TRUE(!touches || c.built.mesh.tag_of_vertex[v].dimension == 0);
+    }
+    std::size_t frozen = 0;
+    for (const Line& line : c.model.lines) frozen += line.frozen ? 1 : 0;
+    EXPECT_EQ(frozen, in_edge ? 4 : 0) << "edges where parts touch";
+    EXPECT_EQ(c.frozen_patches(), 0);
+  }
+}
+
+TEST(Classify, AVertexInsideASideOnWhichAnotherPartStandsStays) {
+  Index tip = 0;
+  const Mesh mesh = test::tip_on_a_table(tip);
+  EXPECT_EQ(mesh.tetrahedra.size(), 6 * 32 + 2);
+  const Classified c(mesh);
+  EXPECT_EQ(c.tag(tip).dimension, 0);
+}
+
 TEST(Classify, VerticesAreWhereTheirTagsSay) {
   const Mesh mesh = test::askew(cube(4));
   const Classified c(mesh);

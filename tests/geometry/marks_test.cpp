@@ -87,6 +87,17 @@ TEST(Marks, GivenEdgesThatCutASideInTwoPartIt) {
   EXPECT_TRUE(Classified(mesh).line(at(0, 2, 0), at(0, 2, 1))->sharp);
 }
 
+TEST(Marks, GivenEdgesThatBendAreLinesBetweenTheBends) {
+  Mesh mesh = cube(4);
+  const std::vector<Index> chain = {at(0, 1, 0), at(0, 1, 1), at(0, 2, 2), at(0, 2, 3), at(0, 2, 4)};
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i) mesh.edges.push_back({chain[i], chain[i + 1]});
+  const Classified c(mesh);
+  EXPECT_EQ(c.count(), (test::Count{7, 17, 12}));
+  EXPECT_EQ(c.tag(chain[1]).dimension, 0);
+  EXPECT_EQ(c.tag(chain[2]).dimension, 0);
+  EXPECT_EQ(c.tag(chain[3]).dimension, 1);
+}
+
 TEST(Marks, AGivenEdgeThatDanglesIsFrozen) {
   Mesh mesh = cube(4);
   mesh.edges = {{at(0, 2, 1), at(0, 2, 2)}, {at(0, 2, 2), at(0, 2, 3)}};

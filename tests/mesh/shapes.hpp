@@ -103,6 +103,17 @@ inline Mesh l_shape(Index n) {
   return mesh;
 }
 
+/// The lower half of the unit cube and two tetrahedra that stand on its top in one vertex, (1/2, 1/2, 1/2), point
+/// `tip`.
+inline Mesh tip_on_a_table(Index& tip) {
+  Mesh mesh = restricted(grid(4), [](const Vec3& c) {
+    return c[2] < 0.5 || (c[0] > 0.5 && c[0] < 0.75 && c[1] > 0.5 && c[1] < 0.75 && c[2] > 0.67 && c[2] < 0.75);
+  });
+  add_triangles(mesh);
+  for (tip = 0; mesh.points[tip] != Point{0.5, 0.5, 0.5};) ++tip;
+  return mesh;
+}
+
 /// Moves the points by up to `amount` in each direction in which they do not lie on one of the planes at 0, 1/2 and 1.
 inline void jitter(Mesh& mesh, double amount, unsigned seed) {
   std::mt19937_64 generator(seed);

@@ -106,10 +106,17 @@ TEST(Target, JustOutsideIsAsOnTheBoundary) {
   }
 }
 
-TEST(Target, WalksRoundAnInwardEdge) {
+// From anywhere to anywhere, on domains where a straight way may leave the domain.
+class TargetOnDomains : public testing::TestWithParam<int> {};
+
+INSTANTIATE_TEST_SUITE_P(NotConvex, TargetOnDomains, testing::Range(0, 2));
+
+TEST_P(TargetOnDomains, FindsItsWay) {
   Random random(5);
   const LogLinear field(random);
-  const TetMesh mesh = with_metric(disturbed(test::l_shape(4)), field);
+  const Mesh horseshoe =
+      test::restricted(test::grid(4), [](const Vec3& c) { return std::abs(c[0] - 0.5) > 0.25 || c[1] < 0.25; });
+  const TetMesh mesh = with_metric(GetParam() == 0 ? disturbed(test::l_shape(4)) : horseshoe, field);
   const Target target(mesh);
   for (int i = 0; i < 300; ++i) {
     const auto from = static_cast<TetId>(random.uniform(0, static_cast<double>(mesh.tets.size())));
