@@ -1,6 +1,7 @@
 // What must survive does, in whole runs: required entities, references, ridges, edges that were given.
 #include "adapt/checks.hpp"
 #include "adapt/fields.hpp"
+#include "base/ids.hpp"
 
 namespace taut {
 namespace {
@@ -143,14 +144,14 @@ TEST(Required, TwoPartsThatTouchInAnEdgeOrAVertex) {
   }
 }
 
-TEST(Required, APartThatStandsOnAnotherInOneVertex) {
-  Index tip = 0;
-  const Mesh mesh = test::tip_on_a_table(tip);
+TEST(Required, AVertexThatHoldsTwoPartsTogether) {
+  Index pin = none;
+  const Mesh mesh = test::slit(pin);
   for (const auto& field : fields()) {
     const auto result = run(mesh, field);
     test::expect_faithful(result, mesh);
-    ASSERT_NE(result.new_of_old[tip], AdaptResult::gone);
-    EXPECT_EQ(result.mesh.points[result.new_of_old[tip]], mesh.points[tip]);
+    ASSERT_NE(result.new_of_old[pin], AdaptResult::gone);
+    EXPECT_EQ(result.mesh.points[result.new_of_old[pin]], mesh.points[pin]);
   }
 }
 

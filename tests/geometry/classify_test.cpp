@@ -67,12 +67,13 @@ TEST(Classify, PartsThatTouchInAnEdgeOrAVertexStayThere) {
   }
 }
 
-TEST(Classify, AVertexInsideASideOnWhichAnotherPartStandsStays) {
-  Index tip = 0;
-  const Mesh mesh = test::tip_on_a_table(tip);
-  EXPECT_EQ(mesh.tetrahedra.size(), 6 * 32 + 2);
+TEST(Classify, AVertexThatHoldsTwoPartsTogetherStays) {
+  Index pin = none;
+  const Mesh mesh = test::slit(pin);
+  EXPECT_EQ(mesh.points.size(), 125 + 24);
   const Classified c(mesh);
-  EXPECT_EQ(c.tag(tip).dimension, 0);
+  EXPECT_EQ(c.count(), (test::Count{12, 24, 17}));
+  EXPECT_EQ(c.tag(pin).dimension, 0);
 }
 
 TEST(Classify, VerticesAreWhereTheirTagsSay) {

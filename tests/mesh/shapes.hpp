@@ -103,14 +103,24 @@ inline Mesh l_shape(Index n) {
   return mesh;
 }
 
-/// The lower half of the unit cube and two tetrahedra that stand on its top in one vertex, (1/2, 1/2, 1/2), point
-/// `tip`.
-inline Mesh tip_on_a_table(Index& tip) {
-  Mesh mesh = restricted(grid(4), [](const Vec3& c) {
-    return c[2] < 0.5 || (c[0] > 0.5 && c[0] < 0.75 && c[1] > 0.5 && c[1] < 0.75 && c[2] > 0.67 && c[2] < 0.75);
-  });
+/// The unit cube, slit along z = 1/2: both halves have points of their own there, but for one, `pin`, in the middle.
+inline Mesh slit(Index& pin) {
+  Mesh mesh = grid(4);
+  std::map<Index, Index> twins;
+  const auto is_upper = [&](const std::array<Index, 4>& t) { return centre_of(mesh, t)[2] > 0.5; };
+  std::vector<std::size_t> upper;
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
+    if (is_upper(mesh.tetrahedra[t])) upper.push_back(t);
+  for (const std::size_t t : upper)
+    for (Index& v : mesh.tetrahedra[t]) {
+      const Point x = mesh.points[v];
+      if (x == Point{0.5, 0.5, 0.5}) pin = v;
+      if (x[2] != 0.5 || v == pin) continue;
+      const auto [twin, is_new] = twins.try_emplace(v, static_cast<Index>(mesh.points.size()));
+      if (is_new) mesh.points.push_back(x);
+      v = twin->second;
+    }
   add_triangles(mesh);
-  for (tip = 0; mesh.points[tip] != Point{0.5, 0.5, 0.5};) ++tip;
   return mesh;
 }
 
