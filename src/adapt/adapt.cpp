@@ -82,7 +82,6 @@ private:
     order_seconds_ += watch.seconds();
   }
 
-  static constexpr double growth_ = 1.5;    // of the mesh from which locality is restored
   static constexpr double growing_ = 0.05;  // vertices made and removed in a round, as a share of the tetrahedra
   static constexpr double settled_changes_ = 0.002;  // below these a round gains less than it costs
   static constexpr double settled_efficiency_ = 2e-4;
