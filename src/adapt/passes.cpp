@@ -41,7 +41,7 @@ double edge_length(const Kernel& kernel, TetId t, int edge) {
 // Measures an edge and remembers whether it is unit: then neither pass need come back to it.
 double measure_edge(Kernel& kernel, TetId t, int edge) {
   const double length = edge_length(kernel, t, edge);
-  kernel.mesh.tets[t].set_length(edge, length >= shortest_unit && length <= longest_unit);
+  kernel.mesh.tets[t].set_length(edge, is_unit(length));
   return length;
 }
 

@@ -44,8 +44,6 @@ public:
   /// The tetrahedra made by the last commit().
   [[nodiscard]] std::span<const TetId> made() const { return {made_.data(), static_cast<std::size_t>(batch.size())}; }
 
-  [[nodiscard]] const VertexBatch& vertices() const { return vertices_; }
-
 private:
   struct HullFace {
     std::array<VertexId, 3> v;

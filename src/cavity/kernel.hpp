@@ -14,6 +14,10 @@ namespace taut {
 inline constexpr double longest_unit = 1.41421356237309505;   // a longer edge is split
 inline constexpr double shortest_unit = 0.70710678118654752;  // a shorter one is collapsed
 
+constexpr bool is_unit(double length) {
+  return length >= shortest_unit && length <= longest_unit;
+}
+
 struct Kernel {
   TetMesh& mesh;
   const Model& model;

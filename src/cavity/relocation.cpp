@@ -36,6 +36,7 @@ public:
   Refusal run() {
     if (const Refusal refusal = gather(); refusal != Refusal::accepted) return refusal;
     if (old_quality_ > rules_.good_enough) return Refusal::no_candidate;
+    measure_edges();
     const Vec3 step = wanted_step();
     Refusal refusal = Refusal::no_candidate;
     for (double share = 1; share > std::ldexp(0.75, -halvings); share *= 0.5) {
@@ -48,8 +49,7 @@ public:
   // Away from the worst tetrahedron's opposite face, orthogonally in the metric, by shares of a unit length.
   Refusal lift(double gain) {
     if (const Refusal refusal = gather(); refusal != Refusal::accepted) return refusal;
-    (void)wanted_step();
-    by_forces_ = false;
+    measure_edges();
     gain_ = gain;
     int worst = 0;
     for (int i = 1; i < k_.cavity.tets.size(); ++i)
@@ -99,8 +99,16 @@ private:
            (tag_.dimension == 2 ? k_.model.on_patch(tag, tag_.id) : k_.model.on_line(tag, tag_.id));
   }
 
+  void measure_edges() {
+    lengths_ = k_.neighbours.lengths(old_);
+    for (double l : lengths_) {
+      not_unit_ |= !is_unit(l);
+      old_phi_ += efficiency_phi(l);
+    }
+  }
+
   Vec3 wanted_step() {
-    const auto lengths = k_.neighbours.lengths(old_);
+    const auto lengths = lengths_;
     const int count = static_cast<int>(lengths.size());
     std::array<double, VertexBatch::capacity> pull;
     for (int i = 0; i < count; ++i) pull[i] = pulls(k_.neighbours.id(i)) ? 1 : 0;
@@ -108,8 +116,6 @@ private:
     shortest_ = 1e9;
     longest_ = 0;
     for (int i = 0; i < count; ++i) {
-      not_unit_ |= lengths[i] < shortest_unit || lengths[i] > longest_unit;
-      old_phi_ += efficiency_phi(lengths[i]);
       if (pull[i] == 0) continue;
       shortest_ = std::min(shortest_, lengths[i]);
       longest_ = std::max(longest_, lengths[i]);
@@ -170,7 +176,7 @@ private:
       Tet& tet = mesh_.tets[k_.cavity.tets[i]];
       tet.quality = static_cast<float>(k_.batch.quality[i]);
       if (!forget_swaps) continue;
-      tet.forget(Trial::edge_swap, 0x3ff);
+      tet.forget_swaps();
       tet.forget_lengths();
     }
     if (moved_by < rules_.still) return;
@@ -184,7 +190,7 @@ private:
     k_.efficiency_gain -= old_phi_;
     for (int i = 0; i < k_.neighbours.size(); ++i) {
       k_.efficiency_gain += efficiency_phi(lengths[i]);
-      unit[i] = lengths[i] >= shortest_unit && lengths[i] <= longest_unit;
+      unit[i] = is_unit(lengths[i]);
       not_unit_ |= !unit[i];
     }
     if (!not_unit_) return;
@@ -201,6 +207,7 @@ private:
   const RelocationRules rules_;
   const Vertex old_;
   const Tag tag_;
+  std::span<const double> lengths_;  // before the move; valid until the first attempt
   double old_quality_ = 1, old_phi_ = 0, shortest_ = 0, longest_ = 0;
   double gain_ = 1.02;
   bool by_forces_ = false, not_unit_ = false;

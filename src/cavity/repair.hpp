@@ -11,7 +11,7 @@ struct RepairRules {
   double longest_new_edge = 1.8;  ///< unless there was a longer one
 };
 
-/// Collapses one of its edges whatever their length, or moves one of its vertices off its opposite face, if that
+/// Moves one of its vertices off its opposite face, or collapses one of its edges whatever their length, if that
 /// improves the worst element around: where lengths alone decide, a sliver with unit edges would stay.
 Refusal repair(Kernel& kernel, TetId t, const RepairRules& rules);
 

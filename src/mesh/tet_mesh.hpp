@@ -50,6 +50,11 @@ struct Tet {
     tried |= 1U << (static_cast<std::uint32_t>(kind) + static_cast<std::uint32_t>(entity));
   }
   void forget(Trial kind, std::uint32_t entities) { tried &= ~(entities << static_cast<std::uint32_t>(kind)); }
+  /// Swaps, of edges and of faces, may succeed now where they failed.
+  void forget_swaps() {
+    forget(Trial::edge_swap, 0x3fU);
+    forget(Trial::face_swap, 0xfU);
+  }
   /// Insertion and collapse may succeed now where they failed.
   void forget_lengths() {
     const std::uint32_t edges = (tried >> static_cast<std::uint32_t>(Trial::not_unit)) & 0x3fU;
