@@ -85,8 +85,8 @@ void print_notes(const AdaptJob& job, const Report& report) {
 
 void print_summary(const AdaptJob& job, const Report& report, double seconds) {
   print_notes(job, report);
-  fmt::print("{} -> {}: {} rounds, {:.2f} s\n\n{}\n{}", job.input, job.output, report.rounds, seconds,
-             quality_table(report.quality, true), work_table(report));
+  fmt::print("{} -> {}: {} rounds, {} threads, {} blocks, {:.2f} s\n\n{}\n{}", job.input, job.output, report.rounds,
+             report.threads, report.blocks, seconds, quality_table(report.quality, true), work_table(report));
 }
 
 void run_adapt(const AdaptJob& job) {
@@ -108,7 +108,7 @@ void add_adapt(CLI::App& app, Job& job) {
   CLI::App* command = app.add_subcommand("adapt", "adapt a mesh to a metric or to one size");
   const auto asked = std::make_shared<AdaptJob>();
   add_options(*command, *asked);
-  command->callback([asked, &job] { job = [asked] { run_adapt(*asked); }; });
+  command->callback([asked, &job] { job = [asked] { on_threads(asked->threads, [&] { run_adapt(*asked); }); }; });
 }
 
 }  // namespace taut::program

@@ -70,6 +70,11 @@ void add_options(CLI::App& command, AdaptJob& job) {
       ->type_name("N")
       ->capture_default_str()
       ->check(count());
+  add_threads(command, job.threads);
+  command.add_option("--block-size", job.options.block_size, "vertices that a thread takes on at a time; 0: all")
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(count());
   command.footer(examples);
 }
 

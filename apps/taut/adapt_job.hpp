@@ -14,6 +14,7 @@ struct AdaptJob {
   std::string report, metric_out;  ///< empty: not written
   std::optional<double> size;      ///< wanted everywhere, in place of a metric
   bool quiet = false;
+  int threads = 0;
   AdaptOptions options;
 };
 

@@ -34,6 +34,13 @@ CLI::Validator count() {
   return number([](double x) { return x >= 0 && x <= most && x == std::floor(x); }, "a whole number, 0 or more");
 }
 
+void add_threads(CLI::App& command, int& threads) {
+  constexpr int most = 1024;
+  command.add_option("--threads", threads, "threads at most; 0 (the default): one a core. The result is the same")
+      ->type_name("N")
+      ->check(number([](double x) { return x >= 0 && x <= most && x == std::floor(x); }, "a whole number, 0 to 1024"));
+}
+
 CLI::Validator word_or(std::string word, const CLI::Validator& other) {
   const auto check = [word = std::move(word), other](const std::string& found) {
     if (found == word) return std::string();

@@ -18,6 +18,9 @@ namespace taut::program {
 [[nodiscard]] CLI::Validator positive_number();
 [[nodiscard]] CLI::Validator count();
 
+/// The option --threads.
+void add_threads(CLI::App& command, int& threads);
+
 /// Either `word` or what `other` accepts.
 [[nodiscard]] CLI::Validator word_or(std::string word, const CLI::Validator& other);
 

@@ -27,8 +27,9 @@ Json histogram(std::span<const double> bounds, std::span<const std::size_t> coun
 Json json_of(const PassReport& pass) {
   Json refused = Json::object();
   for (const auto& [reason, count] : pass.refused) refused[reason] = count;
-  return {{"name", pass.name},         {"scanned", pass.scanned}, {"tried", pass.tried},
-          {"accepted", pass.accepted}, {"refused", refused},      {"seconds", pass.seconds}};
+  return {
+      {"name", pass.name},  {"scanned", pass.scanned}, {"tried", pass.tried},     {"accepted", pass.accepted},
+      {"refused", refused}, {"put_off", pass.put_off}, {"seconds", pass.seconds}, {"busy_seconds", pass.busy_seconds}};
 }
 
 void add_lengths(Json& json, const Quality& q) {
@@ -62,6 +63,8 @@ Json json_of(const Report& report) {
   for (const PassReport& pass : report.passes) passes.push_back(json_of(pass));
   for (const auto& [phase, time] : report.seconds) seconds[phase] = time;
   return {{"rounds", report.rounds},
+          {"threads", report.threads},
+          {"blocks", report.blocks},
           {"cancelled", report.cancelled},
           {"passes", passes},
           {"seconds", seconds},
@@ -84,7 +87,9 @@ Json json_of(const AdaptJob& job) {
             {"hmax", o.hmax},
             {"gradation", null_if_none(o.gradation)},
             {"angle", o.ridge_angle},
-            {"passes", o.passes}}}};
+            {"passes", o.passes},
+            {"threads", job.threads},
+            {"block_size", o.block_size}}}};
 }
 
 std::string text_of(const Json& json) {

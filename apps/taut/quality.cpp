@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "check.hpp"
 #include "commands.hpp"
 #include "files.hpp"
 #include "json.hpp"
@@ -24,6 +25,7 @@ constexpr const char* examples =
 struct QualityJob {
   std::string input, metric;
   bool json = false, check = false;
+  int threads = 0;
 };
 
 struct Findings {
@@ -73,8 +75,9 @@ void add_quality(CLI::App& app, Job& job) {
   command->add_option("--metric", asked->metric, "sizes or tensors at its vertices, .sol or .solb")->type_name("SOL");
   command->add_flag("--json", asked->json, "print JSON in place of the table");
   command->add_flag("--check", asked->check, "exit with status 1 if the mesh has any defect");
+  add_threads(*command, asked->threads);
   command->footer(examples);
-  command->callback([asked, &job] { job = [asked] { run_quality(*asked); }; });
+  command->callback([asked, &job] { job = [asked] { on_threads(asked->threads, [&] { run_quality(*asked); }); }; });
 }
 
 }  // namespace taut::program

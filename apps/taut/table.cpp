@@ -94,10 +94,11 @@ std::string quality_table(const Quality& quality, bool in_metric) {
 
 std::string work_table(const Report& report) {
   Table table;
-  table.line("{:<14}{:>10}{:>10}{:>10}{:>9}  {}", "pass", "looked at", "tried", "accepted", "seconds", "refused");
+  table.line("{:<14}{:>10}{:>10}{:>10}{:>10}{:>9}  {}", "pass", "looked at", "tried", "accepted", "put off", "seconds",
+             "refused");
   for (const PassReport& pass : report.passes) {
-    table.line("{:<14}{:>10}{:>10}{:>10}{:>9.3f}  {}", pass.name, pass.scanned, pass.tried, pass.accepted, pass.seconds,
-               refusals(pass));
+    table.line("{:<14}{:>10}{:>10}{:>10}{:>10}{:>9.3f}  {}", pass.name, pass.scanned, pass.tried, pass.accepted,
+               pass.put_off, pass.seconds, refusals(pass));
   }
   table.line("\n{:<14}{:>9}", "phase", "seconds");
   for (const auto& [phase, seconds] : report.seconds) table.line("{:<14}{:>9.3f}", phase, seconds);

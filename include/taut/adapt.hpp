@@ -40,6 +40,11 @@ struct AdaptOptions {
   double ridge_angle = 45;            ///< degrees between the normals of two triangles from which their edge is a ridge
   int passes = 40;  ///< rounds of insertion, collapse, swaps and relocation at most; it ends before if nothing gains
   ProgressCallback progress{};
+  int threads =
+      0;  ///< at most; 0: those of the caller's oneTBB task arena, by default one a core. The result is the same
+  /// Vertices of a block, the share of the mesh that one thread works on at a time; 0: the whole mesh. Unlike the
+  /// number of threads it changes the result, though hardly its quality.
+  std::size_t block_size = 8192;
 };
 
 /// Operations of one kind over the whole run: how many were looked at, and what became of them.
@@ -49,11 +54,15 @@ struct PassReport {
   std::size_t tried = 0;                                     ///< operations proposed and judged
   std::size_t accepted = 0;                                  ///< operations done
   std::vector<std::pair<std::string, std::size_t>> refused;  ///< count by reason
-  double seconds = 0;
+  std::size_t put_off = 0;  ///< left to another round: tetrahedra and operations that reach beyond one block
+  double seconds = 0;       ///< from the pass's beginnings to its ends
+  double busy_seconds = 0;  ///< of all threads together: `threads` times `seconds` if none ever waits for another
 };
 
 struct Report {
   std::size_t rounds = 0;
+  int threads = 1;         ///< that could be had
+  std::size_t blocks = 0;  ///< in the last round
   bool cancelled = false;
   std::vector<PassReport> passes;
   std::vector<std::pair<std::string, double>> seconds;  ///< phases outside the passes: setup, gradation, order, ...

@@ -15,9 +15,12 @@ namespace taut {
 /// As a metric its eigenvalues are 1/h^2, h the wanted edge size along the eigenvector (Dobrzynski and Frey 2008, 2.2).
 using Tensor = std::array<double, 6>;
 
-using Sizes = std::vector<double>;                           ///< wanted isotropic edge size at each point of a mesh
-using Tensors = std::vector<Tensor>;                         ///< metric tensor at each point of a mesh
-using MetricFunction = std::function<Tensor(const Point&)>;  ///< called concurrently: it must be pure
+using Sizes = std::vector<double>;    ///< wanted isotropic edge size at each point of a mesh
+using Tensors = std::vector<Tensor>;  ///< metric tensor at each point of a mesh
+
+/// The metric tensor at a point. It is called from several threads at once, in any order and more than once for the
+/// same point: it must not change anything that another call reads, and the same point must give the same tensor.
+using MetricFunction = std::function<Tensor(const Point&)>;
 
 /// The target of an adaptation.
 using Metric = std::variant<Sizes, Tensors, MetricFunction>;

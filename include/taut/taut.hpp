@@ -7,4 +7,5 @@
 #include "taut/mesh.hpp"
 #include "taut/metric.hpp"
 #include "taut/quality.hpp"
+#include "taut/threads.hpp"
 #include "taut/version.hpp"

@@ -1,36 +1,44 @@
 #include "adapt/passes.hpp"
 
+#include <algorithm>
+
 namespace taut {
 namespace {
 
 constexpr double clearly_long = 1.6;  // a longer edge must be split even if that makes short ones
 constexpr double loose_filter = 0.35;
+constexpr double far_too_long = 3;  // an edge so long may never fit into a block once its surroundings are fine
 
-constexpr TetId reach = 4;  // how far ahead of a sweep memory is asked for
+constexpr std::size_t few_ids = 64;  // beyond what is foreseen
 
-// Calls visit(t) for the tetrahedra that exist when the pass begins: draining what the pass itself makes gives poor
-// meshes, for the swaps and relocations between two passes decide where the next vertices belong.
-template <class Visit>
-void for_each_tet(const TetMesh& mesh, Visit visit) {
-  const auto count = static_cast<TetId>(mesh.tets.size());
-  for (TetId t = 0; t < count; ++t)
-    if (mesh.tets[t].alive()) visit(t);
-}
+constexpr std::size_t reach = 4;  // how far ahead of a sweep memory is asked for
 
-// Asks for what the shells of a tetrahedron a few places on will read: walking them is waiting for memory otherwise.
-void prefetch_around(const TetMesh& mesh, TetId t) {
-  if (t >= mesh.tets.size()) return;
-  const Tet& tet = mesh.tets[t];
-  if (!tet.alive()) return;
+// Asks for what the shells of a tetrahedron will read: walking them is waiting for memory otherwise.
+void prefetch_around(const TetMesh& mesh, const Tet& tet) {
   for (int k = 0; k < 4; ++k) {
     __builtin_prefetch(&mesh.vertices[tet.v[k]]);
     if (!tet.n[k].is_triangle()) __builtin_prefetch(&mesh.tets[tet.n[k].tet()]);
   }
 }
 
-bool any_untried(const Tet& tet, Trial kind, std::uint32_t entities) {
-  const std::uint32_t mask = ((1U << entities) - 1U) << static_cast<std::uint32_t>(kind);
-  return (tet.tried & mask) != mask;
+// Calls visit(t) for those of the block's tetrahedra that exist when the pass begins and that `is_due` holds for when
+// their turn comes: draining what the pass itself makes gives poor meshes, for the swaps and relocations between two
+// passes decide where the next vertices belong. Tetrahedra that the block shares with others are put off.
+template <class IsDue, class Visit>
+void for_each_due_tet(Kernel& kernel, Tally& tally, IsDue is_due, Visit visit) {
+  const std::vector<Tet>& tets = kernel.mesh.tets;
+  const IdPool& ids = kernel.block->tets;
+  const std::size_t count = ids.size();
+  const auto due = [&](std::size_t i) { return i < count && tets[ids[i]].alive() && is_due(tets[ids[i]]); };
+  for (std::size_t i = 0; i < count; ++i) {
+    if (due(i + reach)) prefetch_around(kernel.mesh, tets[ids[i + reach]]);
+    if (!due(i)) continue;
+    const TetId t = ids[i];
+    tally.scan();
+    visit(t);
+  }
+  for (TetId t : kernel.block->shared_tets)
+    if (is_due(tets[t])) tally.record(Refusal::put_off);
 }
 
 double edge_length(const Kernel& kernel, TetId t, int edge) {
@@ -38,45 +46,99 @@ double edge_length(const Kernel& kernel, TetId t, int edge) {
   return kernel.length(v[edge_vertices[edge][0]], v[edge_vertices[edge][1]]);
 }
 
-// Measures an edge and remembers whether it is unit: then neither pass need come back to it.
-double measure_edge(Kernel& kernel, TetId t, int edge) {
-  const double length = edge_length(kernel, t, edge);
-  kernel.mesh.tets[t].set_length(edge, is_unit(length));
-  return length;
+// Measures the edges that may have to be split and remembers which are: no pass need come back to the others. Returns
+// the longest of those.
+struct LongEdge {
+  int edge = -1;
+  double length = longest_unit;
+};
+
+LongEdge longest_edge(Kernel& kernel, TetId t) {
+  Tet& tet = kernel.mesh.tets[t];
+  LongEdge longest;
+  for (int e = 0; e < 6; ++e) {
+    if (tet.was_tried(Trial::insertion, e)) continue;
+    const double length = edge_length(kernel, t, e);
+    note_length(tet, e, length);
+    if (length > longest.length) longest = {e, length};
+  }
+  return longest;
+}
+
+// The ids that splitting the longest edges of some tetrahedra takes. One that is far too long hardly gains from what is
+// done to its neighbours; the others share their edges.
+class Splits {
+public:
+  void add(const Kernel& kernel, TetId t, const LongEdge& longest) {
+    if (longest.edge < 0) return;
+    const double splits = longest.length > far_too_long ? 1 : 0.3;
+    inner_ += splits;
+    if (std::ranges::any_of(kernel.mesh.tets[t].n, &FaceLink::is_triangle)) outer_ += splits;
+  }
+  [[nodiscard]] IdNeed need() const {
+    const auto count = [](double x) { return static_cast<std::size_t>(x); };
+    return {count(inner_), count(7 * inner_), count(3 * outer_)};
+  }
+
+private:
+  double inner_ = 0, outer_ = 0;
+};
+
+Refusal split(Kernel& kernel, TetId t, const LongEdge& longest, InsertionRules rules) {
+  if (longest.length > clearly_long) rules.shortest_new_edge = loose_filter;
+  return insert_on_edge(kernel, t, longest.edge, rules);
 }
 
 }  // namespace
 
-void insertion_pass(Kernel& kernel, const InsertionRules& rules, Tally& tally) {
-  for_each_tet(kernel.mesh, [&](TetId t) {
-    Tet& tet = kernel.mesh.tets[t];
-    if (!any_untried(tet, Trial::insertion, 6)) return;
-    tally.scan();
-    int longest = -1;
-    double length = longest_unit;
-    for (int e = 0; e < 6; ++e) {
-      if (tet.was_tried(Trial::insertion, e)) continue;
-      const double l = measure_edge(kernel, t, e);
-      if (l <= length) continue;
-      length = l;
-      longest = e;
-    }
-    if (longest < 0) return;
-    InsertionRules own = rules;
-    if (length > clearly_long) own.shortest_new_edge = loose_filter;
-    tally.record(insert_on_edge(kernel, t, longest, own));
+IdNeed needed_ids(Kernel& kernel) {
+  IdNeed need{few_ids, few_ids + kernel.block->tets.size() / 16, few_ids};
+  Splits splits;
+  const auto look_at = [&](TetId t) {
+    if (!kernel.mesh.tets[t].all_tried(Trial::insertion, 6)) splits.add(kernel, t, longest_edge(kernel, t));
+  };
+  for (std::size_t i = 0; i < kernel.block->tets.size(); ++i) look_at(kernel.block->tets[i]);
+  need += splits.need();
+  for (TetId t : kernel.block->shared_tets) look_at(t);
+  return need;
+}
+
+void insertion_pass(Kernel& kernel, const InsertionRules& rules, std::vector<TetId>& stuck, Tally& tally) {
+  const auto is_due = [&](const Tet& tet) { return !tet.all_tried(Trial::insertion, 6); };
+  for_each_due_tet(kernel, tally, is_due, [&](TetId t) {
+    const LongEdge longest = longest_edge(kernel, t);
+    if (longest.edge < 0) return;
+    const Refusal outcome = split(kernel, t, longest, rules);
+    tally.record(outcome);
+    if (outcome == Refusal::put_off && longest.length > far_too_long) stuck.push_back(t);
   });
+  for (TetId t : kernel.block->shared_tets)
+    if (longest_edge(kernel, t).length > far_too_long) stuck.push_back(t);
+}
+
+void split_stuck(Kernel& kernel, const InsertionRules& rules, std::span<const TetId> stuck, Tally& tally) {
+  Splits splits;
+  for (TetId t : stuck) splits.add(kernel, t, longest_edge(kernel, t));
+  IdNeed need{few_ids, few_ids, few_ids};
+  need += splits.need();
+  kernel.block->borrow(kernel.mesh, need);
+  for (TetId t : stuck) {
+    if (!kernel.mesh.tets[t].alive()) continue;
+    tally.scan();
+    const LongEdge longest = longest_edge(kernel, t);
+    if (longest.length > far_too_long) tally.record(split(kernel, t, longest, rules));
+  }
+  kernel.block->give_back(kernel.mesh);
 }
 
 void collapse_pass(Kernel& kernel, const CollapseRules& rules, Tally& tally) {
-  for_each_tet(kernel.mesh, [&](TetId t) {
-    if (!any_untried(kernel.mesh.tets[t], Trial::collapse, 6)) return;
-    tally.scan();
+  const auto is_due = [](const Tet& tet) { return !tet.all_tried(Trial::collapse, 6); };
+  for_each_due_tet(kernel, tally, is_due, [&](TetId t) {
     for (int e = 0; e < 6; ++e) {
       Tet& tet = kernel.mesh.tets[t];
       if (tet.was_tried(Trial::collapse, e)) continue;
-      const double l = edge_length(kernel, t, e);
-      if (l >= shortest_unit)
+      const double length = edge_length(kernel, t, e);
+      if (length >= shortest_unit)
         tet.set_tried(Trial::collapse, e);
       else if (tally.record(collapse_edge(kernel, t, e, rules)))
         return;
@@ -85,11 +147,9 @@ void collapse_pass(Kernel& kernel, const CollapseRules& rules, Tally& tally) {
 }
 
 void swap_pass(Kernel& kernel, const SwapRules& rules, Tally& edges, Tally& faces) {
-  for_each_tet(kernel.mesh, [&](TetId t) {
-    prefetch_around(kernel.mesh, t + reach);
+  const auto is_due = [&](const Tet& tet) { return tet.quality <= rules.good_enough; };
+  for_each_due_tet(kernel, edges, is_due, [&](TetId t) {
     const Tet& tet = kernel.mesh.tets[t];
-    if (tet.quality > rules.good_enough) return;
-    edges.scan();
     for (int e = 0; e < 6; ++e)
       if (!tet.was_tried(Trial::edge_swap, e) && edges.record(swap_edge(kernel, t, e, rules))) return;
     if (tet.quality > rules.poor) return;
@@ -100,20 +160,31 @@ void swap_pass(Kernel& kernel, const SwapRules& rules, Tally& edges, Tally& face
 }
 
 void repair_pass(Kernel& kernel, const RepairRules& rules, Tally& tally) {
-  for_each_tet(kernel.mesh, [&](TetId t) {
-    if (kernel.mesh.tets[t].quality > rules.bad) return;
+  const auto is_due = [&](const Tet& tet) { return tet.quality <= rules.bad; };
+  for_each_due_tet(kernel, tally, is_due, [&](TetId t) { tally.record(repair(kernel, t, rules)); });
+}
+
+void mend(Kernel& kernel, const RepairRules& rules, Tally& tally) {
+  kernel.block->borrow(kernel.mesh, {few_ids, few_ids, few_ids});
+  const auto& tets = kernel.mesh.tets;
+  for (TetId t = 0; t < tets.size(); ++t) {
+    if (!tets[t].alive() || tets[t].quality > rules.bad) continue;
     tally.scan();
     tally.record(repair(kernel, t, rules));
-  });
+  }
+  kernel.block->give_back(kernel.mesh);
 }
 
 void relocation_pass(Kernel& kernel, const RelocationRules& rules, Tally& tally) {
-  const auto count = static_cast<VertexId>(kernel.mesh.vertices.size());
-  for (VertexId v = 0; v < count; ++v) {
-    if (!kernel.mesh.is_vertex_alive(v) || kernel.mesh.restless[v] == 0) continue;
+  const TetMesh& mesh = kernel.mesh;
+  const IdPool& ids = kernel.block->vertices;
+  const std::size_t count = ids.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const VertexId v = ids[i];
+    if (!mesh.is_vertex_alive(v) || mesh.restless[v] == 0) continue;
     tally.scan();
-    if (v + reach < count && kernel.mesh.is_vertex_alive(v + reach))
-      __builtin_prefetch(&kernel.mesh.tets[kernel.mesh.tet_of_vertex[v + reach]]);
+    if (i + reach < count && mesh.is_vertex_alive(ids[i + reach]))
+      __builtin_prefetch(&mesh.tets[mesh.tet_of_vertex[ids[i + reach]]]);
     tally.record(relocate(kernel, v, rules));
   }
 }

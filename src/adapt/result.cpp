@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "base/parallel.hpp"
 #include "geometry/surface_edges.hpp"
 
 namespace taut {
@@ -10,33 +11,47 @@ namespace {
 class Fnv1a {
 public:
   void mix(std::uint64_t word) { hash_ = (hash_ ^ word) * 1099511628211U; }
+  void mix(double x) { mix(std::bit_cast<std::uint64_t>(x)); }
+  void mix(Index i) { mix(std::uint64_t{i}); }
+  Fnv1a& operator+=(const Fnv1a& other) {
+    mix(other.hash_);
+    return *this;
+  }
   [[nodiscard]] std::uint64_t value() const { return hash_; }
 
 private:
   std::uint64_t hash_ = 14695981039346656037U;
 };
 
+// The hash of the hashes of its parts, which may be found side by side.
+template <class Tuple>
+Fnv1a hash_of(const std::vector<Tuple>& tuples) {
+  return sum_in_order<Fnv1a>(tuples.size(), [&](Fnv1a& hash, std::size_t i) {
+    for (const auto& entry : tuples[i]) hash.mix(entry);
+  });
+}
+
 std::uint64_t hash_of(const Mesh& mesh) {
-  Fnv1a hash;
-  for (const Point& p : mesh.points)
-    for (double x : p) hash.mix(std::bit_cast<std::uint64_t>(x));
-  for (const auto& t : mesh.tetrahedra)
-    for (Index v : t) hash.mix(v);
-  for (const auto& t : mesh.triangles)
-    for (Index v : t) hash.mix(v);
+  Fnv1a hash = hash_of(mesh.points);
+  hash += hash_of(mesh.tetrahedra);
+  hash += hash_of(mesh.triangles);
   return hash.value();
 }
 
 void assemble_vertices(const Problem& problem, const Mesh& input, AdaptResult& result) {
   const TetMesh& work = problem.mesh;
+  result.mesh.points.resize(work.vertices.size());
+  result.mesh.point_refs.resize(work.vertices.size());
+  result.metric.resize(work.vertices.size());
   result.new_of_old.assign(input.points.size(), AdaptResult::gone);
-  for (VertexId v = 0; v < work.vertices.size(); ++v) {
-    result.mesh.points.push_back(work.x(v));
-    result.metric.push_back(work.vertices[v].m);
+  for_each_index(work.vertices.size(), [&](std::size_t v) {
+    result.mesh.points[v] = work.vertices[v].x;
+    result.metric[v] = work.vertices[v].m;
     const std::uint32_t origin = work.origin_of_vertex[v];
-    result.mesh.point_refs.push_back(origin == none || input.point_refs.empty() ? 0 : input.point_refs[origin]);
-    if (origin != none) result.new_of_old[origin] = v;
-  }
+    if (origin == none) return;
+    if (!input.point_refs.empty()) result.mesh.point_refs[v] = input.point_refs[origin];
+    result.new_of_old[origin] = static_cast<Index>(v);
+  });
   const auto keep = [&](const std::vector<Index>& marks, std::vector<Index>& kept) {
     for (Index p : marks)
       if (result.new_of_old[p] != AdaptResult::gone) kept.push_back(result.new_of_old[p]);
@@ -45,23 +60,28 @@ void assemble_vertices(const Problem& problem, const Mesh& input, AdaptResult& r
   keep(input.required_points, result.mesh.required_points);
 }
 
-void assemble_tets(const Problem& problem, AdaptResult& result) {
+void assemble_tets(const Problem& problem, Mesh& mesh) {
   const TetMesh& work = problem.mesh;
-  for (TetId t = 0; t < work.tets.size(); ++t) {
-    const Region& region = problem.model.regions[work.region_of_tet[t]];
-    if (region.required) result.mesh.required_tetrahedra.push_back(t);
-    result.mesh.tetrahedra.push_back(work.tets[t].v);
-    result.mesh.tetrahedron_refs.push_back(region.ref);
-  }
+  const auto region_of = [&](std::size_t t) -> const Region& { return problem.model.regions[work.region_of_tet[t]]; };
+  mesh.tetrahedra.resize(work.tets.size());
+  mesh.tetrahedron_refs.resize(work.tets.size());
+  for_each_index(work.tets.size(), [&](std::size_t t) {
+    mesh.tetrahedra[t] = work.tets[t].v;
+    mesh.tetrahedron_refs[t] = region_of(t).ref;
+  });
+  mesh.required_tetrahedra = indices_where(work.tets.size(), [&](std::size_t t) { return region_of(t).required; });
 }
 
-void assemble_triangles(const Problem& problem, AdaptResult& result) {
-  for (const Triangle& t : problem.mesh.triangles) {
-    const Patch& patch = problem.model.patches[t.patch];
-    if (patch.required) result.mesh.required_triangles.push_back(static_cast<Index>(result.mesh.triangles.size()));
-    result.mesh.triangles.push_back(t.v);
-    result.mesh.triangle_refs.push_back(patch.ref);
-  }
+void assemble_triangles(const Problem& problem, Mesh& mesh) {
+  const auto& triangles = problem.mesh.triangles;
+  const auto patch_of = [&](std::size_t t) -> const Patch& { return problem.model.patches[triangles[t].patch]; };
+  mesh.triangles.resize(triangles.size());
+  mesh.triangle_refs.resize(triangles.size());
+  for_each_index(triangles.size(), [&](std::size_t t) {
+    mesh.triangles[t] = triangles[t].v;
+    mesh.triangle_refs[t] = patch_of(t).ref;
+  });
+  mesh.required_triangles = indices_where(triangles.size(), [&](std::size_t t) { return patch_of(t).required; });
 }
 
 void add_edge(Mesh& mesh, const std::array<VertexId, 2>& edge, int ref, bool sharp, bool required) {
@@ -89,8 +109,8 @@ void assemble_edges(const Problem& problem, AdaptResult& result) {
 
 void assemble(const Problem& problem, const Mesh& input, AdaptResult& result) {
   assemble_vertices(problem, input, result);
-  assemble_tets(problem, result);
-  assemble_triangles(problem, result);
+  assemble_tets(problem, result.mesh);
+  assemble_triangles(problem, result.mesh);
   assemble_edges(problem, result);
   result.report.hash = hash_of(result.mesh);
   result.report.quality = measure(result.mesh, Metric{result.metric});

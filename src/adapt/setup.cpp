@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "adapt/tally.hpp"
+#include "base/parallel.hpp"
 #include "geometry/classify.hpp"
 #include "mesh/build.hpp"
 #include "mesh/edges.hpp"
@@ -16,6 +17,10 @@
 namespace taut {
 namespace {
 
+constexpr int most_threads = 1024;
+
+}  // namespace
+
 void require_options(const AdaptOptions& o) {
   if (!(o.hmin >= 0) || !(o.hmax > 0) || !(o.hmin <= o.hmax))
     throw InputError(fmt::format("hmin {}, hmax {} found, expected 0 <= hmin <= hmax, hmax > 0", o.hmin, o.hmax));
@@ -24,12 +29,17 @@ void require_options(const AdaptOptions& o) {
   if (!(o.ridge_angle > 0 && o.ridge_angle < 180))
     throw InputError(fmt::format("ridge angle {} found, expected between 0 and 180 degrees", o.ridge_angle));
   if (o.passes < 0) throw InputError(fmt::format("{} passes found, expected 0 or more", o.passes));
+  if (o.threads < 0 || o.threads > most_threads)
+    throw InputError(fmt::format("{} threads found, expected 0 to {}", o.threads, most_threads));
 }
+
+namespace {
 
 std::vector<Sym3> limited_metric(const Mesh& mesh, const Metric& metric, const AdaptOptions& options) {
   std::vector<Sym3> metrics = tensors_at(mesh, metric);
   const auto truncate_all = [&] {
-    for (Sym3& m : metrics) m = truncate(m, options.hmin, options.hmax);
+    for_each_index(metrics.size(),
+                   [&](std::size_t v) { metrics[v] = truncate(metrics[v], options.hmin, options.hmax); });
   };
   truncate_all();
   if (!options.gradation) return metrics;
@@ -39,12 +49,13 @@ std::vector<Sym3> limited_metric(const Mesh& mesh, const Metric& metric, const A
 }
 
 void set_qualities(TetMesh& mesh) {
-  for (Tet& tet : mesh.tets) {
+  for_each_index(mesh.tets.size(), [&](std::size_t t) {
+    Tet& tet = mesh.tets[t];
     const Vertex* p[4];
     for (int k = 0; k < 4; ++k) p[k] = &mesh.vertices[tet.v[k]];
     tet.quality =
         static_cast<float>(shape_quality(p[0]->x, p[1]->x, p[2]->x, p[3]->x, p[0]->m, p[1]->m, p[2]->m, p[3]->m));
-  }
+  });
 }
 
 void count_mended(const Built& built, const Model& model, Report& report) {
@@ -56,7 +67,6 @@ void count_mended(const Built& built, const Model& model, Report& report) {
 }  // namespace
 
 Problem set_up(const Mesh& mesh, const Metric& metric, const AdaptOptions& options, Report& report) {
-  require_options(options);
   const Stopwatch build_watch;
   Built built = build(mesh);
   report.seconds.emplace_back("build", build_watch.seconds());
@@ -69,11 +79,11 @@ Problem set_up(const Mesh& mesh, const Metric& metric, const AdaptOptions& optio
   const Stopwatch metric_watch;
   const std::vector<Sym3> metrics = limited_metric(mesh, metric, options);
   TetMesh& work = built.mesh;
-  for (VertexId v = 0; v < work.vertices.size(); ++v) {
+  for_each_index(work.vertices.size(), [&](std::size_t v) {
     work.vertices[v].m = metrics[work.origin_of_vertex[v]];
     work.host_of_vertex[v] = work.tet_of_vertex[v];
     work.restless[v] = 1;
-  }
+  });
   set_qualities(work);
   const auto* function = std::get_if<MetricFunction>(&metric);
   auto target = function != nullptr && !options.gradation

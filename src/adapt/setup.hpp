@@ -16,6 +16,9 @@ struct Problem {
   std::unique_ptr<Target> target;
 };
 
+/// Throws InputError for an option out of its range.
+void require_options(const AdaptOptions& options);
+
 /// Throws InputError for whatever cannot be used. Fills the report's counts of what was mended.
 [[nodiscard]] Problem set_up(const Mesh& mesh, const Metric& metric, const AdaptOptions& options, Report& report);
 

@@ -21,12 +21,22 @@ public:
     return outcome == Refusal::accepted;
   }
   void add_seconds(double seconds) { seconds_ += seconds; }
+  void add_busy(double seconds) { busy_ += seconds; }
+  Tally& operator+=(const Tally& other) {
+    scanned_ += other.scanned_;
+    for (std::size_t i = 0; i < outcomes_.size(); ++i) outcomes_[i] += other.outcomes_[i];
+    seconds_ += other.seconds_;
+    busy_ += other.busy_;
+    return *this;
+  }
+  [[nodiscard]] std::size_t scanned() const { return scanned_; }
   [[nodiscard]] std::size_t accepted() const { return outcomes_[0]; }
+  [[nodiscard]] std::size_t put_off() const { return outcomes_[static_cast<std::size_t>(Refusal::put_off)]; }
   [[nodiscard]] const char* name() const { return name_; }
 
   [[nodiscard]] PassReport report() const {
-    PassReport report{name_, scanned_, 0, accepted(), {}, seconds_};
-    for (std::size_t i = 0; i < outcomes_.size(); ++i) {
+    PassReport report{name_, scanned_, 0, accepted(), {}, put_off(), seconds_, busy_};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(Refusal::put_off); ++i) {
       report.tried += outcomes_[i];
       if (i > 0 && outcomes_[i] > 0) report.refused.emplace_back(refusal_names[i], outcomes_[i]);
     }
@@ -37,7 +47,29 @@ private:
   const char* name_;
   std::size_t scanned_ = 0;
   std::array<std::size_t, refusal_names.size()> outcomes_{};
-  double seconds_ = 0;
+  double seconds_ = 0, busy_ = 0;
+};
+
+/// Of all passes.
+struct Tallies {
+  Tally insertion{"insert"}, collapse{"collapse"}, edge_swap{"swap"}, face_swap{"swap faces"}, relocation{"relocate"},
+      repair{"repair"};
+  double efficiency_gain = 0;  ///< see Kernel
+
+  [[nodiscard]] std::array<const Tally*, 6> all() const {
+    return {&insertion, &collapse, &edge_swap, &face_swap, &relocation, &repair};
+  }
+  [[nodiscard]] std::size_t changed() const { return insertion.accepted() + collapse.accepted(); }
+  Tallies& operator+=(const Tallies& other) {
+    insertion += other.insertion;
+    collapse += other.collapse;
+    edge_swap += other.edge_swap;
+    face_swap += other.face_swap;
+    relocation += other.relocation;
+    repair += other.repair;
+    efficiency_gain += other.efficiency_gain;
+    return *this;
+  }
 };
 
 /// Seconds since it was made.

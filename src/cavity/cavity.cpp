@@ -96,10 +96,20 @@ double Cavity::worst_old_quality(const TetMesh& mesh) const {
   return worst;
 }
 
-Refusal Cavity::validate(const TetMesh& mesh, VertexId gone) {
+Refusal Cavity::validate(const TetMesh& mesh, const Block& block, VertexId gone) {
   if (!all_positive()) return Refusal::inverted;
   if (loses_vertex(mesh, gone) || !match(mesh)) return Refusal::topology;
-  return Refusal::accepted;
+  if (has_ids(block)) return Refusal::accepted;
+  clear_matching();
+  return Refusal::put_off;
+}
+
+bool Cavity::has_ids(const Block& block) const {
+  const auto enough = [](const IdPool& ids, int made, int gone) {
+    return made <= gone || ids.available() >= static_cast<std::size_t>(made - gone);
+  };
+  return enough(block.tets, batch.size(), tets.size()) &&
+         enough(block.triangles, surface_.border_size(), static_cast<int>(surface_.removed().size()));
 }
 
 bool Cavity::loses_vertex(const TetMesh& mesh, VertexId gone) const {

@@ -10,6 +10,7 @@
 #include "cavity/surface_cavity.hpp"
 #include "cavity/tet_set.hpp"
 #include "cavity/vertex_batch.hpp"
+#include "mesh/block.hpp"
 
 namespace taut {
 
@@ -35,11 +36,12 @@ public:
   /// Fast edge lengths from the apex to the hull's vertices; valid until the next call.
   [[nodiscard]] std::span<const double> lengths() { return vertices_.lengths(apex_.vertex); }
 
-  /// All new tetrahedra are positive, their side faces match, no vertex but `gone` is lost.
-  [[nodiscard]] Refusal validate(const TetMesh& mesh, VertexId gone = none);
+  /// All new tetrahedra are positive, their side faces match, no vertex but `gone` is lost, and the block has ids
+  /// enough.
+  [[nodiscard]] Refusal validate(const TetMesh& mesh, const Block& block, VertexId gone = none);
 
   /// Re-joins the hull to the apex, which must exist. Call only after validate() found nothing.
-  void commit(TetMesh& mesh, VertexId apex);
+  void commit(TetMesh& mesh, Block& block, VertexId apex);
 
   /// The tetrahedra made by the last commit().
   [[nodiscard]] std::span<const TetId> made() const { return {made_.data(), static_cast<std::size_t>(batch.size())}; }
@@ -65,12 +67,13 @@ private:
   bool sides_agree(const TetMesh& mesh) const;
   [[nodiscard]] bool loses_vertex(const TetMesh& mesh, VertexId gone) const;
   void clear_matching();
-  void take_ids(TetMesh& mesh);
-  void make_triangles(TetMesh& mesh, VertexId apex);
+  [[nodiscard]] bool has_ids(const Block& block) const;
+  void take_ids(Block& block);
+  void make_triangles(TetMesh& mesh, Block& block, VertexId apex);
   void make_tet(TetMesh& mesh, VertexId apex, int i);
   void glue_side(TetMesh& mesh, int i, int k);
   void relink(TetMesh& mesh, FaceLink link, FaceLink old_face, FaceLink new_face) const;
-  void release(TetMesh& mesh);
+  void release(TetMesh& mesh, Block& block);
 
   Apex apex_;
   int apex_face_count_ = 0;

@@ -31,6 +31,7 @@ double longest_edge_at(const Kernel& k, VertexId v) {
 
 Refusal merge(Kernel& k, VertexId gone, VertexId kept, const CollapseRules& rules) {
   if (!along_geometry(k, gone)) return Refusal::geometry;
+  if (!k.block->owns_ball(gone)) return Refusal::put_off;
   Cavity& cavity = k.cavity;
   if (!collect_ball(k.mesh, gone, cavity.tets)) return Refusal::too_large;
   if (k.any_frozen(cavity.tets.span())) return Refusal::frozen;
@@ -41,20 +42,23 @@ Refusal merge(Kernel& k, VertexId gone, VertexId kept, const CollapseRules& rule
   const auto lengths = cavity.lengths();
   const double longest = lengths.empty() ? 0 : *std::max_element(lengths.begin(), lengths.end());
   if (longest > rules.longest_new_edge && longest > longest_edge_at(k, gone)) return Refusal::long_edge;
-  if (const Refusal refusal = cavity.validate(k.mesh, gone); refusal != Refusal::accepted) return refusal;
-  cavity.commit(k.mesh, kept);
-  k.mesh.remove_vertex(gone);
+  if (const Refusal refusal = cavity.validate(k.mesh, *k.block, gone); refusal != Refusal::accepted) return refusal;
+  cavity.commit(k.mesh, *k.block, kept);
+  k.block->remove_vertex(k.mesh, gone);
   return Refusal::accepted;
 }
 
 }  // namespace
 
 Refusal collapse_edge(Kernel& kernel, TetId t, int edge, const CollapseRules& rules) {
-  if (!collect_shell(kernel.mesh, t, edge, kernel.shell)) return Refusal::too_large;
-  kernel.mark_shell(Trial::collapse);
+  Refusal refusal = collect_shell(kernel.mesh, *kernel.block, t, edge, kernel.shell);
+  if (refusal != Refusal::accepted) return refusal;
   const VertexId a = kernel.shell.a, b = kernel.shell.b;
-  if (merge(kernel, a, b, rules) == Refusal::accepted) return Refusal::accepted;
-  return merge(kernel, b, a, rules);
+  const Refusal first = merge(kernel, a, b, rules);
+  if (first == Refusal::accepted) return first;
+  refusal = merge(kernel, b, a, rules);
+  if (refusal != Refusal::accepted && first == Refusal::put_off) return first;
+  return kernel.mark_shell(Trial::collapse, refusal);
 }
 
 }  // namespace taut

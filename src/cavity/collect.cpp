@@ -14,12 +14,15 @@ struct Step {
   VertexId from, to;
 };
 
-// Turns on round ab across the face (a, b, to); false at the boundary.
-bool advance(const TetMesh& mesh, Step& step) {
+enum class Turn { on, boundary, foreign };
+
+// Turns on round ab across the face (a, b, to). Where one end of the edge has its whole ball in the block, `block` is
+// null: there is nothing to ask.
+Turn advance(const TetMesh& mesh, const Block* block, Step& step) {
   const FaceLink link = mesh.beyond(step.tet, mesh.tets[step.tet].index_of(step.from));
-  if (link == outside) return false;
+  if (link == outside) return Turn::boundary;
   step = {link.tet(), step.to, mesh.tets[link.tet()].v[link.face()]};
-  return true;
+  return block != nullptr && !block->owns(step.to) ? Turn::foreign : Turn::on;
 }
 
 bool note_triangle(const TetMesh& mesh, const Step& step, VertexId face_opposite, Shell& shell) {
@@ -39,13 +42,13 @@ bool append(const TetMesh& mesh, const Step& step, Shell& shell) {
   return note_triangle(mesh, step, step.from, shell);
 }
 
-// Turns back to the tetrahedron from which an open shell is walked in order; `first` itself if the shell is closed.
-Step rewind(const TetMesh& mesh, const Step& first) {
-  Step back{first.tet, first.to, first.from};
-  do {
-    if (!advance(mesh, back)) return {back.tet, back.to, back.from};
-  } while (back.tet != first.tet);
-  return first;
+// Turns back, from a tetrahedron beyond which there is a boundary, to the one from which the open shell is walked.
+Turn rewind(const TetMesh& mesh, const Block* block, Step& step) {
+  Step back{step.tet, step.to, step.from};
+  Turn turn = Turn::on;
+  while (turn == Turn::on) turn = advance(mesh, block, back);
+  step = {back.tet, back.to, back.from};
+  return turn;
 }
 
 }  // namespace
@@ -54,31 +57,32 @@ bool collect_ball(const TetMesh& mesh, VertexId v, TetSet& ball) {
   return walk_ball(mesh, v, ball, [](const Tet&, int, VertexId) {});
 }
 
-bool collect_shell(const TetMesh& mesh, TetId t, int edge, Shell& shell) {
+Refusal collect_shell(const TetMesh& mesh, const Block& block, TetId t, int edge, Shell& shell) {
   const auto& v = mesh.tets[t].v;
   shell.a = v[edge_vertices[edge][0]];
   shell.b = v[edge_vertices[edge][1]];
   shell.size = shell.triangle_count = 0;
-  Step first{t, v[off_edge[edge][0]], v[off_edge[edge][1]]};
-  Step step = first;
+  const Block* guard = block.owns_ball(shell.a) || block.owns_ball(shell.b) ? nullptr : &block;
+  Step step{t, v[off_edge[edge][0]], v[off_edge[edge][1]]};
   bool open = false;
   while (true) {
-    if (!append(mesh, step, shell)) return false;
-    if (!advance(mesh, step)) {
+    if (!append(mesh, step, shell)) return Refusal::too_large;
+    const Turn turn = advance(mesh, guard, step);
+    if (turn == Turn::foreign) return Refusal::put_off;
+    if (turn == Turn::boundary) {
       if (open) break;
-      open = true;  // met the boundary: start again from the shell's other end
+      open = true;  // start again from the shell's other end
       shell.size = shell.triangle_count = 0;
-      step = rewind(mesh, first);
-      if (!note_triangle(mesh, step, step.to, shell)) return false;
-      first.tet = none;
-      continue;
+      if (rewind(mesh, guard, step) == Turn::foreign) return Refusal::put_off;
+      if (!note_triangle(mesh, step, step.to, shell)) return Refusal::too_large;
+    } else if (!open && step.tet == t) {
+      break;
     }
-    if (step.tet == first.tet) break;
   }
   shell.closed = !open;
   shell.ring_size = shell.size;
   if (open) shell.ring[shell.ring_size++] = step.to;
-  return true;
+  return Refusal::accepted;
 }
 
 }  // namespace taut

@@ -3,13 +3,16 @@
 
 #include <array>
 
+#include "cavity/refusal.hpp"
 #include "cavity/tet_set.hpp"
+#include "mesh/block.hpp"
 #include "mesh/tet_mesh.hpp"
 
 namespace taut {
 
-/// All tetrahedra at v, those across interfaces too. Calls visit(tet, number of v in it, the vertex by which it differs
-/// from one met before; `none` for the first) for each. False if there is no room for them.
+/// All tetrahedra at v, whose ball the block must own, those across interfaces too. Calls visit(tet, number of v in it,
+/// the vertex by which it differs from one met before; `none` for the first) for each. False if there is no room for
+/// them.
 template <class Visit>
 [[nodiscard]] bool walk_ball(const TetMesh& mesh, VertexId v, TetSet& ball, Visit visit) {
   ball.clear();
@@ -54,7 +57,8 @@ struct Shell {
   [[nodiscard]] VertexId next(int i) const { return ring[i + 1 == ring_size ? 0 : i + 1]; }
 };
 
-/// False if there is no room, or more triangles meet at the edge than a sound geometry has.
-[[nodiscard]] bool collect_shell(const TetMesh& mesh, TetId t, int edge, Shell& shell);
+/// The shell of an edge of t, a tetrahedron of the block. Put off if not all of it is; too large if there is no room,
+/// or more triangles meet at the edge than a sound geometry has.
+[[nodiscard]] Refusal collect_shell(const TetMesh& mesh, const Block& block, TetId t, int edge, Shell& shell);
 
 }  // namespace taut

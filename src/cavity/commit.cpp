@@ -12,33 +12,34 @@ constexpr std::array<int, 3> side_at_edge = {3, 1, 2};
 
 }  // namespace
 
-void Cavity::commit(TetMesh& mesh, VertexId apex) {
+void Cavity::commit(TetMesh& mesh, Block& block, VertexId apex) {
   for (int i = 0; i < tets.size(); ++i) {
     old_links_[i] = mesh.tets[tets[i]].n;
     old_regions_[i] = mesh.region_of_tet[tets[i]];
   }
-  take_ids(mesh);
-  if (!surface_.empty()) make_triangles(mesh, apex);
+  take_ids(block);
+  if (!surface_.empty()) make_triangles(mesh, block, apex);
   for (int i = 0; i < batch.size(); ++i) make_tet(mesh, apex, i);
   for (int i = 0; i < batch.size(); ++i)
     for (int k = 0; k < 3; ++k) glue_side(mesh, i, k);
   clear_matching();
-  release(mesh);
+  release(mesh, block);
   assert(first_broken_invariant(mesh, made()).empty());
 }
 
 // New tetrahedra take the ids of the old ones first: neighbours in space stay neighbours in memory.
-void Cavity::take_ids(TetMesh& mesh) {
-  for (int i = 0; i < batch.size(); ++i) made_[i] = i < tets.size() ? tets[i] : mesh.add_tet();
+void Cavity::take_ids(Block& block) {
+  for (int i = 0; i < batch.size(); ++i) made_[i] = i < tets.size() ? tets[i] : block.tets.take();
 }
 
-void Cavity::make_triangles(TetMesh& mesh, VertexId apex) {
+void Cavity::make_triangles(TetMesh& mesh, Block& block, VertexId apex) {
   const auto removed = surface_.removed();
   for (int i = 0; i < surface_.border_size(); ++i) {
     auto& border = surface_.border(i);
-    border.made = i < static_cast<int>(removed.size()) ? removed[i] : mesh.add_triangle();
+    border.made = i < static_cast<int>(removed.size()) ? removed[i] : block.triangles.take();
   }
-  for (int i = surface_.border_size(); i < static_cast<int>(removed.size()); ++i) mesh.remove_triangle(removed[i]);
+  for (int i = surface_.border_size(); i < static_cast<int>(removed.size()); ++i)
+    block.remove_triangle(mesh, removed[i]);
   for (int i = 0; i < surface_.border_size(); ++i) {
     const auto& border = surface_.border(i);
     mesh.triangles[border.made] = {
@@ -96,8 +97,8 @@ void Cavity::glue_side(TetMesh& mesh, int i, int k) {
   }
 }
 
-void Cavity::release(TetMesh& mesh) {
-  for (int i = batch.size(); i < tets.size(); ++i) mesh.remove_tet(tets[i]);
+void Cavity::release(TetMesh& mesh, Block& block) {
+  for (int i = batch.size(); i < tets.size(); ++i) block.remove_tet(mesh, tets[i]);
 }
 
 }  // namespace taut

@@ -31,13 +31,15 @@ public:
 
   Refusal run() {
     if (k_.any_frozen(k_.shell_tets()) || !locate(k_, apex_.tag)) return Refusal::frozen;
+    if (k_.block->vertices.available() == 0) return Refusal::put_off;
     place();
     for (int i = 0; i < k_.shell.ring_size; ++i)
       if (too_short(k_.shell.ring[i])) return Refusal::short_edge;
     collect_core();
-    grow();
+    if (!grow()) return Refusal::put_off;
     Refusal refusal = rejoin();
-    if (refusal != Refusal::accepted && refusal != Refusal::short_edge && k_.cavity.tets.size() > core_) {
+    const bool is_final = refusal == Refusal::accepted || refusal == Refusal::short_edge || refusal == Refusal::put_off;
+    if (!is_final && k_.cavity.tets.size() > core_) {
       collect_core();
       refusal = rejoin();
     }
@@ -47,7 +49,7 @@ public:
 private:
   void place() {
     const VertexId a = k_.shell.a, b = k_.shell.b;
-    apex_.id = mesh_.next_vertex();
+    apex_.id = k_.block->vertices.next();
     apex_.vertex.x = k_.model.project(apex_.tag, 0.5 * (mesh_.x(a) + mesh_.x(b)));
     host_ = mesh_.host_of_vertex[a];
     apex_.vertex.m = k_.target.at(apex_.vertex.x, host_);
@@ -64,7 +66,8 @@ private:
     core_ = k_.cavity.tets.size();
   }
 
-  void grow() {
+  // False if a tetrahedron that is not the block's is in conflict too. Its vertices stay where they are in this pass.
+  bool grow() {
     TetSet& tets = k_.cavity.tets;
     k_.spared.clear();
     int spared = 0;
@@ -73,13 +76,16 @@ private:
         if (link.is_triangle()) continue;  // a constrained face is never crossed
         const TetId t = link.tet();
         if (tets.contains(t) || k_.spared.contains(t)) continue;
-        if (tets.size() >= largest_cavity || spared >= largest_cavity) return;
-        if (!k_.any_frozen({&t, 1}) && conflicts(t))
-          (void)tets.add(t);
-        else
+        if (tets.size() >= largest_cavity || spared >= largest_cavity) return true;
+        if (k_.any_frozen({&t, 1}) || !conflicts(t)) {
           k_.spared.find_or_insert(t, spared++);
+          continue;
+        }
+        if (!k_.block->owns(mesh_.tets[t].v[link.face()])) return false;
+        (void)tets.add(t);
       }
     }
+    return true;
   }
 
   [[nodiscard]] bool conflicts(TetId t) const {
@@ -95,8 +101,8 @@ private:
       if (l < rules_.shortest_new_edge) return Refusal::short_edge;
     const double bound = std::min(rules_.worst_quality, rules_.share_of_old * cavity.worst_old_quality(mesh_));
     if (!(cavity.worst_new_quality() > bound)) return Refusal::quality;
-    if (const Refusal refusal = cavity.validate(mesh_); refusal != Refusal::accepted) return refusal;
-    cavity.commit(mesh_, mesh_.add_vertex(apex_.vertex, apex_.tag, host_));
+    if (const Refusal refusal = cavity.validate(mesh_, *k_.block); refusal != Refusal::accepted) return refusal;
+    cavity.commit(mesh_, *k_.block, k_.block->add_vertex(mesh_, apex_.vertex, apex_.tag, host_));
     return Refusal::accepted;
   }
 
@@ -129,9 +135,9 @@ private:
 }  // namespace
 
 Refusal insert_on_edge(Kernel& kernel, TetId t, int edge, const InsertionRules& rules) {
-  if (!collect_shell(kernel.mesh, t, edge, kernel.shell)) return Refusal::too_large;
-  kernel.mark_shell(Trial::insertion);
-  return Insertion(kernel, rules).run();
+  const Refusal refusal = collect_shell(kernel.mesh, *kernel.block, t, edge, kernel.shell);
+  if (refusal != Refusal::accepted) return refusal;
+  return kernel.mark_shell(Trial::insertion, Insertion(kernel, rules).run());
 }
 
 }  // namespace taut

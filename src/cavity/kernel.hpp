@@ -5,6 +5,7 @@
 #include "cavity/collect.hpp"
 #include "cavity/face_batch.hpp"
 #include "geometry/model.hpp"
+#include "mesh/block.hpp"
 #include "mesh/tet_mesh.hpp"
 #include "metric/length.hpp"
 #include "sizing/target.hpp"
@@ -18,10 +19,16 @@ constexpr bool is_unit(double length) {
   return length >= shortest_unit && length <= longest_unit;
 }
 
+inline void note_length(Tet& tet, int edge, double length) {
+  tet.set_length(edge, length > longest_unit, length < shortest_unit);
+}
+
+/// A worker's own but for what it refers to.
 struct Kernel {
   TetMesh& mesh;
   const Model& model;
   const Target& target;
+  Block* block = nullptr;  ///< all that may be changed, and read where others may change it
 
   Cavity cavity{};
   Shell shell{};
@@ -43,9 +50,11 @@ struct Kernel {
     return false;
   }
 
-  /// Remembers on every tetrahedron of the shell that its edge was tried.
-  void mark_shell(Trial kind) {
+  /// Remembers on every tetrahedron of the shell that its edge was tried and refused.
+  Refusal mark_shell(Trial kind, Refusal outcome) {
+    if (outcome == Refusal::accepted || outcome == Refusal::put_off) return outcome;
     for (int i = 0; i < shell.size; ++i) mesh.tets[shell.tets[i]].set_tried(kind, shell.edges[i]);
+    return outcome;
   }
 
   [[nodiscard]] std::span<const TetId> shell_tets() const {

@@ -186,18 +186,16 @@ private:
 
   // Where an edge is not unit, or was not, the passes that split and collapse must know.
   void note_lengths(std::span<const double> lengths) {
-    std::array<bool, VertexBatch::capacity> unit;
     k_.efficiency_gain -= old_phi_;
     for (int i = 0; i < k_.neighbours.size(); ++i) {
       k_.efficiency_gain += efficiency_phi(lengths[i]);
-      unit[i] = is_unit(lengths[i]);
-      not_unit_ |= !unit[i];
+      not_unit_ |= !is_unit(lengths[i]);
     }
     if (!not_unit_) return;
     for (int i = 0; i < k_.batch.size(); ++i) {
       Tet& tet = mesh_.tets[k_.cavity.tets[i]];
       const int at = tet.index_of(v_);
-      for (int k : face_vertices[at]) tet.set_length(edge_between[at][k], unit[k_.neighbours.find(tet.v[k])]);
+      for (int k : face_vertices[at]) note_length(tet, edge_between[at][k], lengths[k_.neighbours.find(tet.v[k])]);
     }
   }
 
@@ -216,12 +214,14 @@ private:
 }  // namespace
 
 Refusal relocate(Kernel& kernel, VertexId v, const RelocationRules& rules) {
+  if (!kernel.block->owns_ball(v)) return Refusal::put_off;
   kernel.mesh.restless[v] = 0;
   if (kernel.mesh.tag_of_vertex[v].dimension == 0) return Refusal::geometry;
   return Relocation(kernel, v, rules).run();
 }
 
 Refusal lift(Kernel& kernel, VertexId v, double gain) {
+  if (!kernel.block->owns_ball(v)) return Refusal::put_off;
   if (kernel.mesh.tag_of_vertex[v].dimension == 0) return Refusal::geometry;
   return Relocation(kernel, v, {}).lift(gain);
 }

@@ -46,7 +46,8 @@ public:
     Refusal refusal = Refusal::no_candidate;
     std::array<Fan, RingTable::largest> fans;
     const int count = better_fans(bound, fans);
-    for (int i = 0; i < count && refusal != Refusal::accepted; ++i) refusal = apply(fans[i]);
+    for (int i = 0; i < count && refusal != Refusal::accepted && refusal != Refusal::put_off; ++i)
+      refusal = apply(fans[i]);
     return refusal;
   }
 
@@ -93,8 +94,8 @@ private:
     for (TetId t : k_.shell_tets()) (void)cavity.tets.add(t);
     const Apex apex{p, k_.mesh.vertices[p], k_.mesh.tag_of_vertex[p]};
     if (const Refusal refusal = cavity.propose(k_.mesh, k_.model, apex); refusal != Refusal::accepted) return refusal;
-    if (const Refusal refusal = cavity.validate(k_.mesh); refusal != Refusal::accepted) return refusal;
-    cavity.commit(k_.mesh, p);
+    if (const Refusal refusal = cavity.validate(k_.mesh, *k_.block); refusal != Refusal::accepted) return refusal;
+    cavity.commit(k_.mesh, *k_.block, p);
     return Refusal::accepted;
   }
 
@@ -113,23 +114,10 @@ bool sees_through(const TetMesh& mesh, const std::array<VertexId, 3>& face, Vert
   return true;
 }
 
-}  // namespace
-
-Refusal swap_edge(Kernel& kernel, TetId t, int edge, const SwapRules& rules) {
-  if (!collect_shell(kernel.mesh, t, edge, kernel.shell)) return Refusal::too_large;
-  kernel.mark_shell(Trial::edge_swap);
-  const int n = kernel.shell.ring_size;
-  if (n < RingTable::smallest || n > RingTable::largest) return Refusal::too_large;
-  return EdgeSwap(kernel, rules).run();
-}
-
-Refusal swap_face(Kernel& kernel, TetId t, int face, const SwapRules& rules) {
+// Makes way for the edge through a face beyond which lies `link`, of a tetrahedron of the same block.
+Refusal turn_face(Kernel& kernel, TetId t, int face, FaceLink link, const SwapRules& rules) {
   TetMesh& mesh = kernel.mesh;
-  const FaceLink link = mesh.tets[t].n[face];
-  mesh.tets[t].set_tried(Trial::face_swap, face);
-  if (link.is_triangle()) return Refusal::no_candidate;
-  Tet &here = mesh.tets[t], &there = mesh.tets[link.tet()];
-  there.set_tried(Trial::face_swap, link.face());
+  const Tet &here = mesh.tets[t], &there = mesh.tets[link.tet()];
   const double old_quality = std::min(here.quality, there.quality);
   if (old_quality > rules.good_enough) return Refusal::no_candidate;
   const VertexId p = here.v[face], q = there.v[link.face()];
@@ -143,9 +131,30 @@ Refusal swap_face(Kernel& kernel, TetId t, int face, const SwapRules& rules) {
   const Apex apex{p, mesh.vertices[p], mesh.tag_of_vertex[p]};
   if (const Refusal refusal = cavity.propose(mesh, kernel.model, apex); refusal != Refusal::accepted) return refusal;
   if (!(cavity.worst_new_quality() > std::max(old_quality * rules.gain, least_quality))) return Refusal::quality;
-  if (const Refusal refusal = cavity.validate(mesh); refusal != Refusal::accepted) return refusal;
-  cavity.commit(mesh, p);
+  if (const Refusal refusal = cavity.validate(mesh, *kernel.block); refusal != Refusal::accepted) return refusal;
+  cavity.commit(mesh, *kernel.block, p);
   return Refusal::accepted;
+}
+
+}  // namespace
+
+Refusal swap_edge(Kernel& kernel, TetId t, int edge, const SwapRules& rules) {
+  const Refusal refusal = collect_shell(kernel.mesh, *kernel.block, t, edge, kernel.shell);
+  if (refusal == Refusal::put_off) return refusal;
+  const int n = kernel.shell.ring_size;
+  const bool fits = refusal == Refusal::accepted && n >= RingTable::smallest && n <= RingTable::largest;
+  return kernel.mark_shell(Trial::edge_swap, fits ? EdgeSwap(kernel, rules).run() : Refusal::too_large);
+}
+
+Refusal swap_face(Kernel& kernel, TetId t, int face, const SwapRules& rules) {
+  auto& tets = kernel.mesh.tets;
+  const FaceLink link = tets[t].n[face];
+  if (!link.is_triangle() && !kernel.block->owns(tets[link.tet()].v[link.face()])) return Refusal::put_off;
+  const Refusal outcome = link.is_triangle() ? Refusal::no_candidate : turn_face(kernel, t, face, link, rules);
+  if (outcome == Refusal::accepted || outcome == Refusal::put_off) return outcome;
+  tets[t].set_tried(Trial::face_swap, face);
+  if (!link.is_triangle()) tets[link.tet()].set_tried(Trial::face_swap, link.face());
+  return outcome;
 }
 
 }  // namespace taut

@@ -1,23 +1,27 @@
 #include "geometry/surface_edges.hpp"
 
 #include <algorithm>
-#include <tuple>
+
+#include "base/parallel.hpp"
+#include "base/sort.hpp"
 
 namespace taut {
 
 std::vector<EdgeUse> edge_uses(const std::vector<Triangle>& triangles) {
-  std::vector<EdgeUse> uses;
-  uses.reserve(3 * triangles.size());
-  for (TriangleId t = 0; t < triangles.size(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      const auto [a, b] = std::minmax(triangles[t].v[(k + 1) % 3], triangles[t].v[(k + 2) % 3]);
-      uses.push_back({{a, b}, t, k});
-    }
-  }
-  std::sort(uses.begin(), uses.end(), [](const EdgeUse& x, const EdgeUse& y) {
-    return std::tie(x.edge, x.triangle) < std::tie(y.edge, y.triangle);
+  std::vector<KeyedIndex> uses(3 * triangles.size());  // corner k of triangle t: 3 t + k
+  for_each_index(uses.size(), [&](std::size_t i) {
+    const auto& v = triangles[i / 3].v;
+    const auto [a, b] = std::minmax(v[(i + 1) % 3], v[(i + 2) % 3]);
+    uses[i] = {(std::uint64_t{a} << 32) | b, static_cast<std::uint32_t>(i)};
   });
-  return uses;
+  sort(uses);
+  std::vector<EdgeUse> result(uses.size());
+  for_each_index(uses.size(), [&](std::size_t i) {
+    const auto& [edge, corner] = uses[i];
+    result[i] = {
+        {static_cast<VertexId>(edge >> 32), static_cast<VertexId>(edge)}, corner / 3, static_cast<int>(corner % 3)};
+  });
+  return result;
 }
 
 }  // namespace taut

@@ -4,6 +4,8 @@
 #include <span>
 #include <utility>
 
+#include "base/buckets.hpp"
+#include "base/parallel.hpp"
 #include "mesh/door.hpp"
 
 namespace taut {
@@ -19,48 +21,35 @@ struct Face {
   }
 };
 
+constexpr std::size_t vertices_a_task = 1024;  // each with two dozen faces
+
 std::array<VertexId, 3> ascending(std::array<VertexId, 3> v) {
   std::sort(v.begin(), v.end());
   return v;
 }
 
-class FaceTable {
-public:
-  explicit FaceTable(const TetMesh& mesh) : start_(mesh.vertices.size() + 1, 0) {
-    each_face(mesh, [&](const auto& v, FaceLink) { ++start_[v[0] + 1]; });
-    for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
-    faces_.resize(start_.back());
-    auto fill = start_;
-    each_face(mesh, [&](const auto& v, FaceLink link) { faces_[fill[v[0]]++] = {v[1], v[2], link}; });
-  }
+// The faces of all tetrahedra, then the triangles, by smallest vertex.
+Buckets<Face> gather_faces(const TetMesh& mesh) {
+  const std::size_t tets = mesh.tets.size();
+  return gather<Face>(tets + mesh.triangles.size(), mesh.vertices.size(), [&](std::size_t i, auto put) {
+    const auto put_face = [&](const std::array<VertexId, 3>& v, FaceLink link) { put(v[0], {v[1], v[2], link}); };
+    const auto id = static_cast<std::uint32_t>(i < tets ? i : i - tets);
+    if (i >= tets) return put_face(ascending(mesh.triangles[id].v), FaceLink::to_triangle(id));
+    for (int f = 0; f < 4; ++f) put_face(ascending(mesh.face(id, f)), FaceLink::to_face(id, f));
+  });
+}
 
-  // Calls visit(span of equal faces), tetrahedra before triangles, in ascending order of the faces' vertices.
-  template <class Visit>
-  void each_group(Visit visit) {
-    for (std::size_t v = 0; v + 1 < start_.size(); ++v) {
-      const auto begin = faces_.begin() + start_[v], end = faces_.begin() + start_[v + 1];
-      std::sort(begin, end);
-      for (auto group = begin; group != end;) {
-        auto next = group;
-        while (next != end && next->key() == group->key()) ++next;
-        visit(std::span<const Face>(group, next));
-        group = next;
-      }
-    }
+// Calls visit(span of equal faces), tetrahedra before triangles, in ascending order of the faces' other vertices.
+template <class Visit>
+void for_each_group(std::span<Face> faces, Visit visit) {
+  std::sort(faces.begin(), faces.end());
+  for (auto group = faces.begin(); group != faces.end();) {
+    auto next = group;
+    while (next != faces.end() && next->key() == group->key()) ++next;
+    visit(std::span<const Face>(group, next));
+    group = next;
   }
-
-private:
-  template <class Visit>
-  static void each_face(const TetMesh& mesh, Visit visit) {
-    for (TetId t = 0; t < mesh.tets.size(); ++t)
-      for (int f = 0; f < 4; ++f) visit(ascending(mesh.face(t, f)), FaceLink::to_face(t, f));
-    for (TriangleId t = 0; t < mesh.triangles.size(); ++t)
-      visit(ascending(mesh.triangles[t].v), FaceLink::to_triangle(t));
-  }
-
-  std::vector<std::uint32_t> start_;
-  std::vector<Face> faces_;
-};
+}
 
 bool same_cycle(const std::array<VertexId, 3>& a, const std::array<VertexId, 3>& b) {
   return (a[0] == b[0] && a[1] == b[1]) || (a[0] == b[1] && a[1] == b[2]) || (a[0] == b[2] && a[1] == b[0]);
@@ -71,22 +60,36 @@ public:
   Connector(TetMesh& mesh, const Mesh& input, const std::vector<int>& region_refs)
       : mesh_(mesh), input_(input), region_refs_(region_refs) {}
 
-  void operator()(std::span<const Face> group) {
+  void run() {
+    auto faces = gather_faces(mesh_);
+    const auto bare =
+        collect_in_order<Sides>(Chunks(faces.keys(), vertices_a_task), [&](std::vector<Sides>& found, std::size_t v) {
+          for_each_group(faces[v], [&](std::span<const Face> group) { join(group, found); });
+        });
+    const auto given = static_cast<TriangleId>(mesh_.triangles.size());
+    mesh_.triangles.resize(given + bare.size());
+    for_each_index(bare.size(), [&](std::size_t i) { put_triangle(given + static_cast<TriangleId>(i), bare[i]); });
+  }
+
+private:
+  using Sides = std::array<FaceLink, 2>;
+
+  // Links what shares a face; where a triangle is missing the face is added to `bare`.
+  void join(std::span<const Face> group, std::vector<Sides>& bare) {
     std::size_t tets = 0;
     while (tets < group.size() && !group[tets].link.is_triangle()) ++tets;
     if (tets == 0) throw_no_face(group[0].link.triangle(), input_.triangles[group[0].link.triangle()]);
     if (tets > 2) throw_crowded_face(points_of(group[0].link));
     if (group.size() > tets + 1) throw_duplicate(group[tets + 1].link.triangle(), group[tets].link.triangle());
-    const FaceLink first = group[0].link, second = tets == 2 ? group[1].link : outside;
+    const Sides sides = {group[0].link, tets == 2 ? group[1].link : outside};
     if (group.size() > tets)
-      put_triangle(group[tets].link.triangle(), first, second);
-    else if (second == outside || ref(first) != ref(second))
-      put_triangle(mesh_.add_triangle(), first, second);
+      put_triangle(group[tets].link.triangle(), sides);
+    else if (sides[1] == outside || ref(sides[0]) != ref(sides[1]))
+      bare.push_back(sides);
     else
-      link(first, second);
+      link(sides[0], sides[1]);
   }
 
-private:
   [[nodiscard]] int ref(FaceLink face) const { return region_refs_[mesh_.region_of_tet[face.tet()]]; }
 
   std::array<Index, 3> points_of(FaceLink face) const {
@@ -101,15 +104,15 @@ private:
   }
 
   // Between two tetrahedra a triangle of the input keeps its orientation; at the boundary it points outward.
-  void put_triangle(TriangleId t, FaceLink first, FaceLink second) {
+  void put_triangle(TriangleId t, Sides sides) {
     Triangle& triangle = mesh_.triangles[t];
-    const auto outward = mesh_.face(first.tet(), first.face());
-    if (second == outside || !triangle.alive()) {
+    const auto outward = mesh_.face(sides[0].tet(), sides[0].face());
+    if (sides[1] == outside || !triangle.alive()) {
       if (!triangle.alive() || !same_cycle(triangle.v, outward)) triangle.v = outward;
     } else if (!same_cycle(triangle.v, outward)) {
-      std::swap(first, second);
+      std::swap(sides[0], sides[1]);
     }
-    triangle.side = {first, second};
+    triangle.side = sides;
     for (FaceLink side : triangle.side)
       if (side != outside) mesh_.tets[side.tet()].n[side.face()] = FaceLink::to_triangle(t);
   }
@@ -122,7 +125,7 @@ private:
 }  // namespace
 
 void connect(TetMesh& mesh, const Mesh& input, const std::vector<int>& region_refs) {
-  FaceTable(mesh).each_group(Connector(mesh, input, region_refs));
+  Connector(mesh, input, region_refs).run();
 }
 
 }  // namespace taut

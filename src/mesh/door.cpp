@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 
+#include "base/parallel.hpp"
 #include "taut/error.hpp"
 
 namespace taut {
@@ -26,7 +27,7 @@ void require_length(const char* what, std::size_t found, std::size_t expected) {
 
 template <std::size_t n>
 void require_range(const char* what, const std::vector<std::array<Index, n>>& entities, std::size_t points) {
-  for (std::size_t e = 0; e < entities.size(); ++e) {
+  for_each_index(entities.size(), [&](std::size_t e) {
     const auto& v = entities[e];
     for (std::size_t k = 0; k < n; ++k) {
       if (v[k] >= points)
@@ -36,7 +37,7 @@ void require_range(const char* what, const std::vector<std::array<Index, n>>& en
         if (v[j] == v[k])
           throw InputError(fmt::format("{} {} ({}) repeats vertex {}", what, e + 1, listed(v), v[k] + 1));
     }
-  }
+  });
 }
 
 void require_marks(const char* what, std::span<const Index> marks, std::size_t size) {
@@ -46,9 +47,10 @@ void require_marks(const char* what, std::span<const Index> marks, std::size_t s
 }
 
 void require_finite(const std::vector<Point>& points) {
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for_each_index(points.size(), [&](std::size_t i) {
     for (double x : points[i])
       if (!std::isfinite(x)) throw InputError(fmt::format("vertex {}: coordinate {} is not finite", i + 1, x));
+  });
 }
 
 }  // namespace

@@ -1,59 +1,59 @@
 #include "mesh/edges.hpp"
 
 #include <algorithm>
+#include <bit>
+
+#include "base/buckets.hpp"
+#include "base/parallel.hpp"
 
 namespace taut {
 namespace {
 
 using Tets = std::span<const std::array<Index, 4>>;
 
-std::size_t vertex_bound(Tets tets) {
-  Index bound = 0;
-  for (const auto& tet : tets) bound = std::max({bound, tet[0], tet[1], tet[2], tet[3]});
-  return tets.empty() ? 0 : std::size_t{bound} + 1;
-}
+constexpr std::size_t vertices_a_task = 1024;  // each with three dozen ends to sort
 
-template <class Visit>
-void for_each_edge(Tets tets, Visit&& visit) {
-  for (const auto& tet : tets)
-    for (const auto& [i, j] : edge_vertices) visit(std::min(tet[i], tet[j]), std::max(tet[i], tet[j]));
-}
-
-/// The larger end points of all edges, with repetitions, gathered by the smaller: those of v lie from first[v] to
-/// first[v + 1].
-struct Buckets {
-  std::vector<std::size_t> first;
-  std::vector<VertexId> larger;
+struct Bound {
+  std::size_t vertices = 0;
+  Bound& operator+=(const Bound& other) {
+    vertices = std::max(vertices, other.vertices);
+    return *this;
+  }
 };
 
-Buckets gather_by_smaller_vertex(Tets tets) {
-  Buckets b{std::vector<std::size_t>(vertex_bound(tets) + 2), std::vector<VertexId>(6 * tets.size())};
-  for_each_edge(tets, [&](VertexId small, VertexId) { ++b.first[small + 2]; });
-  for (std::size_t v = 2; v < b.first.size(); ++v) b.first[v] += b.first[v - 1];
-  for_each_edge(tets, [&](VertexId small, VertexId large) { b.larger[b.first[small + 1]++] = large; });
-  return b;
+std::size_t vertex_bound(Tets tets) {
+  const auto add = [&](Bound& sum, std::size_t t) { sum += {std::size_t{*std::ranges::max_element(tets[t])} + 1}; };
+  return sum_in_order<Bound>(tets.size(), add).vertices;
+}
+
+// Moves one of each to the front and returns these. An edge occurs about five times: marking what was seen, in a hash
+// table with linear probing, leaves a fifth to be sorted.
+std::span<VertexId> distinct(std::span<VertexId> vertices) {
+  const int bits = static_cast<int>(std::bit_width(2 * vertices.size()));
+  std::vector<VertexId> seen(std::size_t{1} << bits, none);
+  std::size_t count = 0;
+  for (const VertexId v : vertices) {
+    std::size_t slot = (v * 0x9e3779b9U) >> (32 - bits);
+    while (seen[slot] != none && seen[slot] != v) slot = (slot + 1) & (seen.size() - 1);
+    if (seen[slot] == v) continue;
+    seen[slot] = vertices[count++] = v;
+  }
+  return vertices.first(count);
 }
 
 }  // namespace
 
 std::vector<std::array<VertexId, 2>> edges_of(Tets tets) {
-  const Buckets buckets = gather_by_smaller_vertex(tets);
-  const std::size_t vertices = buckets.first.size() - 2;
-  std::vector<std::array<VertexId, 2>> edges;
-  edges.reserve(tets.size() + tets.size() / 4 + 16);
-  // An edge occurs about five times: marking what was seen leaves a fifth to be sorted.
-  std::vector<VertexId> seen_from(vertices, none);
-  for (VertexId v = 0; v < vertices; ++v) {
-    const auto start = static_cast<std::ptrdiff_t>(edges.size());
-    for (std::size_t i = buckets.first[v]; i < buckets.first[v + 1]; ++i) {
-      const VertexId w = buckets.larger[i];
-      if (seen_from[w] == v) continue;
-      seen_from[w] = v;
-      edges.push_back({v, w});
-    }
-    std::sort(edges.begin() + start, edges.end());
-  }
-  return edges;
+  auto larger_ends = gather<VertexId>(tets.size(), vertex_bound(tets), [&](std::size_t t, auto put) {
+    for (const auto& [i, j] : edge_vertices) put(std::min(tets[t][i], tets[t][j]), std::max(tets[t][i], tets[t][j]));
+  });
+  using Edge = std::array<VertexId, 2>;
+  const auto add_edges_from = [&](std::vector<Edge>& edges, std::size_t v) {
+    const std::span<VertexId> ends = distinct(larger_ends[v]);
+    std::ranges::sort(ends);
+    for (const VertexId w : ends) edges.push_back({static_cast<VertexId>(v), w});
+  };
+  return collect_in_order<Edge>(Chunks(larger_ends.keys(), vertices_a_task), add_edges_from);
 }
 
 }  // namespace taut

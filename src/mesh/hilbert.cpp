@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
+
+#include "base/parallel.hpp"
+#include "base/sort.hpp"
 
 namespace taut {
 namespace {
@@ -34,37 +36,41 @@ std::uint64_t hilbert_index(std::array<std::uint32_t, 3> x) {
   return index;
 }
 
+constexpr double huge = std::numeric_limits<double>::infinity();
+
 struct Box {
-  Vec3 low{}, scale{};
+  Vec3 low{huge, huge, huge}, high{-huge, -huge, -huge};
+
+  Box& operator+=(const Box& other) {
+    for (int d = 0; d < 3; ++d) {
+      low[d] = std::min(low[d], other.low[d]);
+      high[d] = std::max(high[d], other.high[d]);
+    }
+    return *this;
+  }
 };
 
-Box box_of(std::span<const Vec3> points) {
-  constexpr double huge = std::numeric_limits<double>::infinity();
-  Vec3 low{huge, huge, huge}, high{-huge, -huge, -huge};
-  for (const Vec3& p : points) {
-    for (int d = 0; d < 3; ++d) {
-      low[d] = std::min(low[d], p[d]);
-      high[d] = std::max(high[d], p[d]);
-    }
-  }
-  Box box{low, {}};
-  for (int d = 0; d < 3; ++d) box.scale[d] = high[d] > low[d] ? ((1 << bits) - 1) / (high[d] - low[d]) : 0;
-  return box;
+// Cells of a box to a unit of length in each direction.
+Vec3 scale_of(const Box& box) {
+  Vec3 scale{};
+  for (int d = 0; d < 3; ++d) scale[d] = box.high[d] > box.low[d] ? ((1 << bits) - 1) / (box.high[d] - box.low[d]) : 0;
+  return scale;
 }
 
 }  // namespace
 
 std::vector<std::uint32_t> hilbert_order(std::span<const Vec3> points) {
-  const Box box = box_of(points);
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
+  const Box box = sum_in_order<Box>(points.size(), [&](Box& sum, std::size_t i) { sum += {points[i], points[i]}; });
+  const Vec3 scale = scale_of(box);
+  std::vector<KeyedIndex> keys(points.size());
+  for_each_index(points.size(), [&](std::size_t i) {
     std::array<std::uint32_t, 3> cell{};
-    for (int d = 0; d < 3; ++d) cell[d] = static_cast<std::uint32_t>((points[i][d] - box.low[d]) * box.scale[d]);
-    keys[i] = {hilbert_index(cell), i};
-  }
-  std::sort(keys.begin(), keys.end());
+    for (int d = 0; d < 3; ++d) cell[d] = static_cast<std::uint32_t>((points[i][d] - box.low[d]) * scale[d]);
+    keys[i] = {hilbert_index(cell), static_cast<std::uint32_t>(i)};
+  });
+  sort(keys);
   std::vector<std::uint32_t> order(points.size());
-  for (std::size_t i = 0; i < keys.size(); ++i) order[i] = keys[i].second;
+  for_each_index(keys.size(), [&](std::size_t i) { order[i] = keys[i].index; });
   return order;
 }
 

@@ -1,61 +1,54 @@
 #include "mesh/order.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <span>
 
+#include "base/buckets.hpp"
+#include "base/parallel.hpp"
+#include "base/raw_array.hpp"
 #include "mesh/hilbert.hpp"
 
 namespace taut {
 namespace {
 
 using Ids = std::vector<std::uint32_t>;
+using Order = std::span<const std::uint32_t>;  // the old ids of the living entities as they come to lie
 
-// The living vertices in their new order.
 Ids vertex_order(const TetMesh& mesh) {
-  Ids alive;
-  std::vector<Vec3> points;
-  for (VertexId v = 0; v < mesh.vertices.size(); ++v) {
-    if (!mesh.is_vertex_alive(v)) continue;
-    alive.push_back(v);
-    points.push_back(mesh.x(v));
-  }
+  const Ids alive = indices_where(mesh.vertices.size(), [&](std::size_t v) { return mesh.tet_of_vertex[v] != none; });
+  std::vector<Vec3> points(alive.size());
+  for_each_index(alive.size(), [&](std::size_t i) { points[i] = mesh.x(alive[i]); });
   Ids order = hilbert_order(points);
-  for (auto& i : order) i = alive[i];
+  for_each_index(order.size(), [&](std::size_t i) { order[i] = alive[order[i]]; });
   return order;
 }
 
-Ids inverse(const Ids& order, std::size_t old_size) {
+Ids inverse(Order order, std::size_t old_size) {
   Ids new_of_old(old_size, none);
-  for (std::uint32_t i = 0; i < order.size(); ++i) new_of_old[order[i]] = i;
+  for_each_index(order.size(), [&](std::size_t i) { new_of_old[order[i]] = static_cast<std::uint32_t>(i); });
   return new_of_old;
 }
 
-// The living entities by smallest new vertex, stable: a counting sort.
+// The living entities by smallest new vertex, otherwise as they are.
 template <class Entity>
-Ids order_by_smallest_vertex(const std::vector<Entity>& entities, const Ids& new_vertex, std::size_t vertex_count) {
-  const auto smallest = [&](const Entity& e) {
+Buckets<std::uint32_t> by_smallest_vertex(const std::vector<Entity>& entities, const Ids& new_vertex,
+                                          std::size_t vertex_count) {
+  return gather<std::uint32_t>(entities.size(), vertex_count, [&](std::size_t i, auto put) {
+    if (!entities[i].alive()) return;
     std::uint32_t least = none;
-    for (VertexId v : e.v) least = std::min(least, new_vertex[v]);
-    return least;
-  };
-  Ids start(vertex_count + 1, 0);
-  std::size_t alive = 0;
-  for (const auto& e : entities) {
-    if (!e.alive()) continue;
-    ++start[smallest(e) + 1];
-    ++alive;
-  }
-  for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-  Ids order(alive);
-  for (std::uint32_t i = 0; i < entities.size(); ++i)
-    if (entities[i].alive()) order[start[smallest(entities[i])]++] = i;
-  return order;
+    for (VertexId v : entities[i].v) least = std::min(least, new_vertex[v]);
+    put(least, static_cast<std::uint32_t>(i));
+  });
 }
 
-template <class T>
-void permute(std::vector<T>& values, const Ids& order) {
-  std::vector<T> old(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) old[i] = values[order[i]];
-  values.swap(old);
+// Changes each value that stays, on the way to its new place.
+template <class T, class Change = std::identity>
+void permute(std::vector<T>& values, Order order, const Change& change = {}) {
+  RawArray<T> moved(order.size());
+  for_each_index(order.size(), [&](std::size_t i) { moved[i] = change(values[order[i]]); });
+  values.resize(order.size());
+  for_each_index(order.size(), [&](std::size_t i) { values[i] = moved[i]; });
 }
 
 struct Renumbering {
@@ -66,6 +59,16 @@ struct Renumbering {
     if (link.is_triangle()) return FaceLink::to_triangle(triangle[link.triangle()]);
     return FaceLink::to_face(tet[link.tet()], link.face());
   }
+  [[nodiscard]] Tet operator()(Tet t) const {
+    for (VertexId& v : t.v) v = vertex[v];
+    for (FaceLink& n : t.n) n = (*this)(n);
+    return t;
+  }
+  [[nodiscard]] Triangle operator()(Triangle t) const {
+    for (VertexId& v : t.v) v = vertex[v];
+    for (FaceLink& side : t.side) side = (*this)(side);
+    return t;
+  }
 };
 
 }  // namespace
@@ -74,30 +77,21 @@ void reorder(TetMesh& mesh) {
   const Ids vertices = vertex_order(mesh);
   Renumbering renumber;
   renumber.vertex = inverse(vertices, mesh.vertices.size());
-  const Ids tets = order_by_smallest_vertex(mesh.tets, renumber.vertex, vertices.size());
-  renumber.tet = inverse(tets, mesh.tets.size());
-  const Ids triangles = order_by_smallest_vertex(mesh.triangles, renumber.vertex, vertices.size());
-  renumber.triangle = inverse(triangles, mesh.triangles.size());
+  const auto tets = by_smallest_vertex(mesh.tets, renumber.vertex, vertices.size());
+  renumber.tet = inverse(tets.all(), mesh.tets.size());
+  const auto triangles = by_smallest_vertex(mesh.triangles, renumber.vertex, vertices.size());
+  renumber.triangle = inverse(triangles.all(), mesh.triangles.size());
 
   permute(mesh.vertices, vertices);
-  permute(mesh.tet_of_vertex, vertices);
+  permute(mesh.tet_of_vertex, vertices, [&](TetId t) { return renumber.tet[t]; });
   permute(mesh.tag_of_vertex, vertices);
   permute(mesh.host_of_vertex, vertices);
   permute(mesh.origin_of_vertex, vertices);
   permute(mesh.restless, vertices);
   permute(mesh.drift, vertices);
-  permute(mesh.tets, tets);
-  permute(mesh.region_of_tet, tets);
-  permute(mesh.triangles, triangles);
-  for (TetId& t : mesh.tet_of_vertex) t = renumber.tet[t];
-  for (Tet& tet : mesh.tets) {
-    for (VertexId& v : tet.v) v = renumber.vertex[v];
-    for (FaceLink& n : tet.n) n = renumber(n);
-  }
-  for (Triangle& triangle : mesh.triangles) {
-    for (VertexId& v : triangle.v) v = renumber.vertex[v];
-    for (FaceLink& side : triangle.side) side = renumber(side);
-  }
+  permute(mesh.tets, tets.all(), renumber);
+  permute(mesh.region_of_tet, tets.all());
+  permute(mesh.triangles, triangles.all(), renumber);
   mesh.forget_free();
 }
 

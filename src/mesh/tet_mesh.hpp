@@ -8,6 +8,7 @@
 #include "base/ids.hpp"
 #include "base/sym3.hpp"
 #include "base/vec3.hpp"
+#include "mesh/id_pool.hpp"
 
 namespace taut {
 
@@ -32,7 +33,8 @@ struct Vertex {
 };
 
 /// What has been tried on a tetrahedron since it was made or last moved: a bit an edge and kind, a bit a face.
-/// Insertion and collapse count as tried for edges of unit length too; `not_unit` marks the others.
+/// Insertion counts as tried for edges that are not too long, collapse for those that are not too short; `not_unit`
+/// marks the edges that are either.
 enum class Trial : std::uint32_t { insertion = 0, collapse = 6, edge_swap = 12, face_swap = 18, not_unit = 22 };
 
 /// Positive, face f opposite to vertex f. `quality` is 1/Q and `tried` the bits of Trial.
@@ -43,6 +45,11 @@ struct Tet {
   std::uint32_t tried = 0;
 
   [[nodiscard]] bool alive() const { return v[0] != none; }
+  /// Whether every edge (of 6) or face (of 4) was.
+  [[nodiscard]] bool all_tried(Trial kind, std::uint32_t entities) const {
+    const std::uint32_t mask = ((1U << entities) - 1U) << static_cast<std::uint32_t>(kind);
+    return (tried & mask) == mask;
+  }
   [[nodiscard]] bool was_tried(Trial kind, int entity) const {
     return ((tried >> (static_cast<std::uint32_t>(kind) + static_cast<std::uint32_t>(entity))) & 1U) != 0;
   }
@@ -61,12 +68,13 @@ struct Tet {
     forget(Trial::insertion, edges);
     forget(Trial::collapse, edges);
   }
-  void set_length(int edge, bool unit) {
-    const std::uint32_t trials =
-        (1U << static_cast<std::uint32_t>(Trial::insertion)) | (1U << static_cast<std::uint32_t>(Trial::collapse));
-    const std::uint32_t mark = 1U << static_cast<std::uint32_t>(Trial::not_unit);
-    tried &= ~((trials | mark) << edge);
-    tried |= (unit ? trials : mark) << edge;
+  /// Notes whether an edge was found too long, too short or (both false) unit: only what has a chance is left to try.
+  void set_length(int edge, bool is_long, bool is_short) {
+    const auto bit = [](Trial kind, bool set) { return (set ? 1U : 0U) << static_cast<std::uint32_t>(kind); };
+    const std::uint32_t all = bit(Trial::insertion, true) | bit(Trial::collapse, true) | bit(Trial::not_unit, true);
+    const std::uint32_t found =
+        bit(Trial::insertion, !is_long) | bit(Trial::collapse, !is_short) | bit(Trial::not_unit, is_long || is_short);
+    tried = (tried & ~(all << edge)) | (found << edge);
   }
   [[nodiscard]] int index_of(VertexId vertex) const {
     return v[0] == vertex ? 0 : v[1] == vertex ? 1 : v[2] == vertex ? 2 : 3;
@@ -126,16 +134,21 @@ public:
     return side[0] == from ? side[1] : side[0];
   }
 
-  /// The id that the next new vertex will get; add_vertex() takes it.
-  [[nodiscard]] VertexId next_vertex() const {
-    return free_vertices_.empty() ? static_cast<VertexId>(vertices.size()) : free_vertices_.back();
-  }
+  /// Fills the record of a dead vertex, which becomes alive when a tetrahedron of it is known.
+  void put_vertex(VertexId v, const Vertex& vertex, Tag tag, std::uint32_t host);
   VertexId add_vertex(const Vertex& vertex, Tag tag, std::uint32_t host);
   TetId add_tet();
   TriangleId add_triangle();
   void remove_vertex(VertexId v);
   void remove_tet(TetId t);
   void remove_triangle(TriangleId t);
+
+  /// Adds so many dead ids to a pool, free ones first; the arrays grow by the others. Until take_back() the counts
+  /// above include what the pools have not used.
+  void lend_vertices(std::size_t count, IdPool& to);
+  void lend_tets(std::size_t count, IdPool& to);
+  void lend_triangles(std::size_t count, IdPool& to);
+  void take_back(IdPool& vertex_ids, IdPool& tet_ids, IdPool& triangle_ids);
 
   /// Drops the free lists; the arrays must be without dead entities.
   void forget_free() {
@@ -145,6 +158,9 @@ public:
   }
 
 private:
+  void resize_vertices(std::size_t count);
+  void resize_tets(std::size_t count);
+
   std::vector<VertexId> free_vertices_;
   std::vector<TetId> free_tets_;
   std::vector<TriangleId> free_triangles_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/parallel.hpp"
 #include "metric/spectral.hpp"
 #include "taut/error.hpp"
 
@@ -33,23 +34,23 @@ Sym3 tensor_of_size(double h, std::size_t vertex) {
 std::vector<Sym3> evaluate(const Mesh& mesh, const Sizes& sizes) {
   require_count(sizes.size(), mesh.points.size());
   std::vector<Sym3> tensors(sizes.size());
-  for (std::size_t i = 0; i < sizes.size(); ++i) tensors[i] = tensor_of_size(sizes[i], i);
+  for_each_index(sizes.size(), [&](std::size_t i) { tensors[i] = tensor_of_size(sizes[i], i); });
   return tensors;
 }
 
 std::vector<Sym3> evaluate(const Mesh& mesh, const Tensors& tensors) {
   require_count(tensors.size(), mesh.points.size());
-  for (std::size_t i = 0; i < tensors.size(); ++i) require_metric(tensors[i], i);
+  for_each_index(tensors.size(), [&](std::size_t i) { require_metric(tensors[i], i); });
   return tensors;
 }
 
 std::vector<Sym3> evaluate(const Mesh& mesh, const MetricFunction& function) {
   if (!function) throw InputError("metric: an empty function was given");
   std::vector<Sym3> tensors(mesh.points.size());
-  for (std::size_t i = 0; i < tensors.size(); ++i) {
+  for_each_index(tensors.size(), [&](std::size_t i) {
     tensors[i] = function(mesh.points[i]);
     require_metric(tensors[i], i);
-  }
+  });
   return tensors;
 }
 

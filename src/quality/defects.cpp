@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <span>
 
+#include "base/buckets.hpp"
+#include "base/parallel.hpp"
+#include "mesh/incidence.hpp"
 #include "mesh/orientation.hpp"
 #include "quality/faces.hpp"
 #include "taut/quality.hpp"
@@ -12,41 +14,41 @@
 namespace taut {
 namespace {
 
-/// Counts one kind of defect and remembers the first place.
-class Tally {
-public:
-  explicit Tally(std::string kind) : kind_(std::move(kind)) {}
+/// Where one kind of defect occurs: how often, and the first place.
+struct Places {
+  std::size_t count = 0, first = 0;
 
-  void add(std::size_t place) {
-    first_ = count_ == 0 ? place : std::min(first_, place);
-    ++count_;
+  void add(std::size_t place) { *this += {1, place}; }
+  Places& operator+=(const Places& other) {
+    if (other.count > 0) first = count == 0 ? other.first : std::min(first, other.first);
+    count += other.count;
+    return *this;
   }
-  void report(std::vector<std::string>& to) const {
-    if (count_ > 0) to.push_back(fmt::format("{}: {}, the first is number {}", kind_, count_, first_ + 1));
-  }
-
-private:
-  std::string kind_;
-  std::size_t count_ = 0, first_ = 0;
 };
+
+void report(std::string_view kind, const Places& places, std::vector<std::string>& to) {
+  if (places.count > 0)
+    to.push_back(fmt::format("{}: {}, the first is number {}", kind, places.count, places.first + 1));
+}
+
+template <class Condition>
+Places places_where(std::size_t count, const Condition& condition) {
+  return sum_in_order<Places>(count, [&](Places& places, std::size_t i) {
+    if (condition(i)) places.add(i);
+  });
+}
 
 template <std::size_t n>
 void check_range(std::string_view what, const std::vector<std::array<Index, n>>& entities, std::size_t bound,
                  std::vector<std::string>& found) {
-  Tally tally(fmt::format("{} with an index out of range", what));
-  for (std::size_t i = 0; i < entities.size(); ++i) {
-    if (std::ranges::any_of(entities[i], [bound](Index v) { return v >= bound; })) tally.add(i);
-  }
-  tally.report(found);
+  const auto is_beyond = [&](std::size_t i) { return *std::ranges::max_element(entities[i]) >= bound; };
+  report(fmt::format("{} with an index out of range", what), places_where(entities.size(), is_beyond), found);
 }
 
 void check_range(std::string_view what, const std::vector<Index>& list, std::size_t bound,
                  std::vector<std::string>& found) {
-  Tally tally(fmt::format("{} with an index out of range", what));
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    if (list[i] >= bound) tally.add(i);
-  }
-  tally.report(found);
+  const auto is_beyond = [&](std::size_t i) { return list[i] >= bound; };
+  report(fmt::format("{} with an index out of range", what), places_where(list.size(), is_beyond), found);
 }
 
 void check_ranges(const Mesh& mesh, std::vector<std::string>& found) {
@@ -76,23 +78,30 @@ void check_references(const Mesh& mesh, std::vector<std::string>& found) {
 }
 
 void check_coordinates(const Mesh& mesh, std::vector<std::string>& found) {
-  Tally tally("points with a coordinate that is not finite");
-  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-    if (!std::ranges::all_of(mesh.points[i], [](double x) { return std::isfinite(x); })) tally.add(i);
-  }
-  tally.report(found);
+  const auto is_broken = [&](std::size_t i) {
+    return !std::ranges::all_of(mesh.points[i], [](double x) { return std::isfinite(x); });
+  };
+  report("points with a coordinate that is not finite", places_where(mesh.points.size(), is_broken), found);
 }
 
+struct Turned {
+  Places inverted, flat;
+  Turned& operator+=(const Turned& other) {
+    inverted += other.inverted;
+    flat += other.flat;
+    return *this;
+  }
+};
+
 void check_orientation(const Mesh& mesh, std::vector<std::string>& found) {
-  Tally inverted("inverted tetrahedra"), flat("flat tetrahedra");
-  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+  const auto turned = sum_in_order<Turned>(mesh.tetrahedra.size(), [&](Turned& sum, std::size_t t) {
     const auto& [a, b, c, d] = mesh.tetrahedra[t];
     const int sign = orientation(mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]);
-    if (sign < 0) inverted.add(t);
-    if (sign == 0) flat.add(t);
-  }
-  inverted.report(found);
-  flat.report(found);
+    if (sign < 0) sum.inverted.add(t);
+    if (sign == 0) sum.flat.add(t);
+  });
+  report("inverted tetrahedra", turned.inverted, found);
+  report("flat tetrahedra", turned.flat, found);
 }
 
 int region_of(const Mesh& mesh, Index tet) {
@@ -103,57 +112,78 @@ bool same_face(const Face& a, const Face& b) {
   return a.vertices == b.vertices;
 }
 
-/// Walks the faces of the tetrahedra and the triangles, both sorted, side by side.
-void check_faces(const Mesh& mesh, std::vector<std::string>& found) {
-  Tally crowded("faces shared by more than two tetrahedra (index of a tetrahedron)");
-  Tally bare("boundary faces without triangle (index of the tetrahedron)");
-  Tally open("faces between regions without triangle (index of a tetrahedron)");
-  Tally loose("triangles that are no face of a tetrahedron");
-  const std::vector<Face> faces = faces_of(mesh.tetrahedra, mesh.points.size());
-  const std::vector<Face> triangles = faces_of(mesh.triangles);
-  auto triangle = triangles.begin();
-  for (auto face = faces.begin(); face != faces.end();) {
-    const auto next = std::find_if(face, faces.end(), [&](const Face& f) { return !same_face(f, *face); });
-    for (; triangle != triangles.end() && triangle->vertices < face->vertices; ++triangle) loose.add(triangle->source);
-    const bool marked = triangle != triangles.end() && same_face(*triangle, *face);
-    while (triangle != triangles.end() && same_face(*triangle, *face)) ++triangle;
-    const auto sharing = next - face;
-    if (sharing > 2) crowded.add(face->source);
-    if (sharing == 1 && !marked) bare.add(face->source);
-    if (sharing == 2 && !marked && region_of(mesh, face[0].source) != region_of(mesh, face[1].source))
-      open.add(face->source);
-    face = next;
+struct FaceDefects {
+  Places crowded, bare, open, loose;
+
+  FaceDefects& operator+=(const FaceDefects& other) {
+    crowded += other.crowded;
+    bare += other.bare;
+    open += other.open;
+    loose += other.loose;
+    return *this;
   }
-  for (; triangle != triangles.end(); ++triangle) loose.add(triangle->source);
-  for (const Tally* tally : {&crowded, &bare, &open, &loose}) tally->report(found);
+
+  /// Walks faces of tetrahedra and triangles, both sorted, side by side.
+  void add(const Mesh& mesh, std::span<const Face> faces, std::span<const Face> triangles) {
+    auto triangle = triangles.begin();
+    for (auto face = faces.begin(); face != faces.end();) {
+      const auto next = std::find_if(face, faces.end(), [&](const Face& f) { return !same_face(f, *face); });
+      for (; triangle != triangles.end() && triangle->vertices < face->vertices; ++triangle)
+        loose.add(triangle->source);
+      const bool marked = triangle != triangles.end() && same_face(*triangle, *face);
+      while (triangle != triangles.end() && same_face(*triangle, *face)) ++triangle;
+      const auto sharing = next - face;
+      if (sharing > 2) crowded.add(face->source);
+      if (sharing == 1 && !marked) bare.add(face->source);
+      if (sharing == 2 && !marked && region_of(mesh, face[0].source) != region_of(mesh, face[1].source))
+        open.add(face->source);
+      face = next;
+    }
+    for (; triangle != triangles.end(); ++triangle) loose.add(triangle->source);
+  }
+};
+
+void check_faces(const Mesh& mesh, std::vector<std::string>& found) {
+  const Buckets<Face> faces = faces_of(mesh.tetrahedra, mesh.points.size());
+  const Buckets<Face> triangles = faces_of(mesh.triangles, mesh.points.size());
+  const auto sum = sum_in_order<FaceDefects>(
+      mesh.points.size(), [&](FaceDefects& own, std::size_t v) { own.add(mesh, faces[v], triangles[v]); });
+  report("faces shared by more than two tetrahedra (index of a tetrahedron)", sum.crowded, found);
+  report("boundary faces without triangle (index of the tetrahedron)", sum.bare, found);
+  report("faces between regions without triangle (index of a tetrahedron)", sum.open, found);
+  report("triangles that are no face of a tetrahedron", sum.loose, found);
 }
+
+/// An entity by its vertices in ascending order.
+template <std::size_t n>
+struct Named {
+  std::array<Index, n> vertices;
+  Index index;
+  auto operator<=>(const Named&) const = default;
+};
 
 /// The later one of two entities with the same vertices counts as the duplicate.
 template <std::size_t n>
-void check_duplicates(std::string_view what, std::vector<std::array<Index, n>> entities,
+void check_duplicates(std::string_view what, const std::vector<std::array<Index, n>>& entities, std::size_t points,
                       std::vector<std::string>& found) {
-  for (auto& entity : entities) std::ranges::sort(entity);
-  std::vector<std::size_t> order(entities.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, [&](std::size_t i, std::size_t j) {
-    return entities[i] != entities[j] ? entities[i] < entities[j] : i < j;
+  auto by_vertex = gather<Named<n>>(entities.size(), points, [&](std::size_t i, auto put) {
+    Named<n> named = {entities[i], static_cast<Index>(i)};
+    std::ranges::sort(named.vertices);
+    put(named.vertices[0], named);
   });
-  Tally tally(fmt::format("duplicate {}", what));
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    if (entities[order[i]] == entities[order[i - 1]]) tally.add(order[i]);
-  }
-  tally.report(found);
+  const auto duplicates = sum_in_order<Places>(points, [&](Places& places, std::size_t v) {
+    const std::span<Named<n>> own = by_vertex[v];
+    std::ranges::sort(own);
+    for (std::size_t i = 1; i < own.size(); ++i)
+      if (own[i].vertices == own[i - 1].vertices) places.add(own[i].index);
+  });
+  report(fmt::format("duplicate {}", what), duplicates, found);
 }
 
 void check_unused(const Mesh& mesh, std::vector<std::string>& found) {
-  std::vector<bool> used(mesh.points.size());
-  for (const auto& tet : mesh.tetrahedra)
-    for (const Index v : tet) used[v] = true;
-  Tally tally("points of no tetrahedron");
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    if (!used[i]) tally.add(i);
-  }
-  tally.report(found);
+  const auto tet_of_point = last_tet_of_points(mesh.tetrahedra, mesh.points.size());
+  const auto is_unused = [&](std::size_t p) { return tet_of_point[p] == none; };
+  report("points of no tetrahedron", places_where(mesh.points.size(), is_unused), found);
 }
 
 }  // namespace
@@ -167,9 +197,9 @@ std::vector<std::string> defects(const Mesh& mesh) {
   if (!found.empty()) return found;
   check_orientation(mesh, found);
   check_faces(mesh, found);
-  check_duplicates("tetrahedra", mesh.tetrahedra, found);
-  check_duplicates("triangles", mesh.triangles, found);
-  check_duplicates("edges", mesh.edges, found);
+  check_duplicates("tetrahedra", mesh.tetrahedra, mesh.points.size(), found);
+  check_duplicates("triangles", mesh.triangles, mesh.points.size(), found);
+  check_duplicates("edges", mesh.edges, mesh.points.size(), found);
   check_unused(mesh, found);
   return found;
 }

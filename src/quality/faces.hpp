@@ -3,8 +3,8 @@
 
 #include <array>
 #include <span>
-#include <vector>
 
+#include "base/buckets.hpp"
 #include "base/ids.hpp"
 #include "taut/mesh.hpp"
 
@@ -17,10 +17,11 @@ struct Face {
   auto operator<=>(const Face&) const = default;
 };
 
-/// All four faces of each tetrahedron, sorted; a face of two tetrahedra occurs twice. Indices below `vertices`.
-[[nodiscard]] std::vector<Face> faces_of(std::span<const std::array<Index, 4>> tets, std::size_t vertices);
+/// All four faces of each tetrahedron by their smallest vertex, those of one vertex sorted; a face of two tetrahedra
+/// occurs twice. Indices below `vertices`.
+[[nodiscard]] Buckets<Face> faces_of(std::span<const std::array<Index, 4>> tets, std::size_t vertices);
 
-/// The triangles as faces, sorted.
-[[nodiscard]] std::vector<Face> faces_of(std::span<const std::array<Index, 3>> triangles);
+/// The triangles as faces, likewise.
+[[nodiscard]] Buckets<Face> faces_of(std::span<const std::array<Index, 3>> triangles, std::size_t vertices);
 
 }  // namespace taut

@@ -6,6 +6,8 @@
 #include <optional>
 #include <queue>
 
+#include "base/buckets.hpp"
+#include "base/parallel.hpp"
 #include "base/vec3.hpp"
 #include "metric/cholesky.hpp"
 #include "metric/intersection.hpp"
@@ -33,18 +35,12 @@ std::optional<Sym3> demand(const Vec3& p, const Vec3& q, const Sym3& mp, const S
   return grown;
 }
 
-/// Neighbours of v: of[first[v]] to of[first[v + 1]].
-struct Neighbours {
-  std::vector<std::size_t> first;
-  std::vector<VertexId> of;
-};
-
-Neighbours neighbours_of_vertices(std::size_t vertices, std::span<const Edge> edges) {
-  Neighbours n{std::vector<std::size_t>(vertices + 2), std::vector<VertexId>(2 * edges.size())};
-  for (const auto& [p, q] : edges) ++n.first[p + 2], ++n.first[q + 2];
-  for (std::size_t v = 2; v < n.first.size(); ++v) n.first[v] += n.first[v - 1];
-  for (const auto& [p, q] : edges) n.of[n.first[p + 1]++] = q, n.of[n.first[q + 1]++] = p;
-  return n;
+Buckets<VertexId> neighbours_of_vertices(std::size_t vertices, std::span<const Edge> edges) {
+  return gather<VertexId>(edges.size(), vertices, [&](std::size_t e, auto put) {
+    const auto& [p, q] = edges[e];
+    put(p, q);
+    put(q, p);
+  });
 }
 
 /// Vertices whose neighbours are to be looked at, the smallest sizes first: as in Dijkstra's shortest paths, what they
@@ -86,11 +82,13 @@ private:
 /// Only vertices that ask something of a neighbour start: where the field is smooth, one scan of the edges is all.
 Queue vertices_that_ask(std::span<const Point> points, std::span<const Edge> edges, std::span<const Sym3> metrics,
                         double log_beta) {
+  const auto asking = collect_in_order<VertexId>(Chunks(edges.size()), [&](std::vector<VertexId>& list, std::size_t e) {
+    const auto& [p, q] = edges[e];
+    if (demand(points[p], points[q], metrics[p], metrics[q], log_beta)) list.push_back(p);
+    if (demand(points[q], points[p], metrics[q], metrics[p], log_beta)) list.push_back(q);
+  });
   Queue queue(points.size());
-  for (const auto& [p, q] : edges) {
-    if (demand(points[p], points[q], metrics[p], metrics[q], log_beta)) queue.push(p, metrics[p]);
-    if (demand(points[q], points[p], metrics[q], metrics[p], log_beta)) queue.push(q, metrics[q]);
-  }
+  for (VertexId v : asking) queue.push(v, metrics[v]);
   return queue;
 }
 
@@ -103,10 +101,9 @@ std::vector<Sym3> gradate(std::span<const Point> points, std::span<const Edge> e
   Queue queue = vertices_that_ask(points, edges, metrics, log_beta);
   VertexId p = queue.pop();
   if (p == none) return metrics;
-  const Neighbours neighbours = neighbours_of_vertices(points.size(), edges);
+  const auto neighbours = neighbours_of_vertices(points.size(), edges);
   for (std::size_t effort = largest_effort * points.size(); p != none && effort > 0; p = queue.pop(), --effort) {
-    for (std::size_t i = neighbours.first[p]; i < neighbours.first[p + 1]; ++i) {
-      const VertexId q = neighbours.of[i];
+    for (VertexId q : neighbours[p]) {
       const auto wish = demand(points[p], points[q], metrics[p], metrics[q], log_beta);
       if (!wish) continue;
       metrics[q] = intersect(metrics[q], *wish);

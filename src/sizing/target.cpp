@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "metric/interpolation.hpp"
 #include "metric/spectral.hpp"
 #include "sizing/truncation.hpp"
@@ -19,21 +20,19 @@ constexpr double inside = -1e-9;         // a barycentric coordinate above it is
 Target::Target(MetricFunction function, double hmin, double hmax)
     : function_(std::move(function)), hmin_(hmin), hmax_(hmax) {}
 
-Target::Target(const TetMesh& mesh) {
-  points_.reserve(mesh.vertices.size());
-  log_metrics_.reserve(mesh.vertices.size());
-  for (const Vertex& v : mesh.vertices) {
-    points_.push_back(v.x);
-    log_metrics_.push_back(log_metric(v.m));
-  }
-  cells_.resize(mesh.tets.size());
-  for (TetId t = 0; t < mesh.tets.size(); ++t) {
+Target::Target(const TetMesh& mesh)
+    : points_(mesh.vertices.size()), log_metrics_(mesh.vertices.size()), cells_(mesh.tets.size()) {
+  for_each_index(mesh.vertices.size(), [&](std::size_t v) {
+    points_[v] = mesh.vertices[v].x;
+    log_metrics_[v] = log_metric(mesh.vertices[v].m);
+  });
+  for_each_index(mesh.tets.size(), [&](std::size_t t) {
     cells_[t].v = mesh.tets[t].v;
     for (int f = 0; f < 4; ++f) {
-      const FaceLink link = mesh.beyond(t, f);
+      const FaceLink link = mesh.beyond(static_cast<TetId>(t), f);
       cells_[t].beyond[f] = link == outside ? none : link.tet();
     }
-  }
+  });
 }
 
 Sym3 Target::at(const Vec3& x, std::uint32_t& host) const {

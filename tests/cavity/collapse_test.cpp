@@ -30,8 +30,8 @@ std::map<Refusal, int> collapse_everywhere(const Mesh& input, const Metric& metr
     const VertexId a = bench.mesh.tets[t].v[edge_vertices[e][0]], b = bench.mesh.tets[t].v[edge_vertices[e][1]];
     const test::Snapshot before(bench.mesh);
     if (trial([&] { return collapse_edge(bench.kernel, t, e, anything_goes); }) != Refusal::accepted) return;
-    EXPECT_EQ(bench.mesh.vertex_count(), before.counts[0] - 1);
-    EXPECT_LT(bench.mesh.tet_count(), before.counts[1]);
+    EXPECT_EQ(test::living_vertices(bench.mesh).size(), before.living[0] - 1);
+    EXPECT_LT(test::living_tets(bench.mesh).size(), before.living[1]);
     const auto [gone, kept] = merge_of(bench.mesh, a, b);
     EXPECT_EQ(bench.mesh.x(kept), before.vertices[kept].x);
     EXPECT_EQ(bench.mesh.tag_of_vertex[kept], before.tag_of_vertex[kept]);
@@ -75,8 +75,7 @@ TEST(Collapse, CoarsensACubeAsFarAsItsGeometryAllows) {
     });
   }
   std::array<int, 4> left{};
-  for (VertexId v = 0; v < bench.mesh.vertices.size(); ++v)
-    if (bench.mesh.is_vertex_alive(v)) ++left[bench.mesh.tag_of_vertex[v].dimension];
+  for (VertexId v : test::living_vertices(bench.mesh)) ++left[bench.mesh.tag_of_vertex[v].dimension];
   EXPECT_EQ(left[0], 8);
   EXPECT_EQ(left[1], 0);
   EXPECT_LE(left[2] + left[3], 8) << "few of 125";
@@ -134,9 +133,9 @@ std::vector<bool> survive(const Mesh& input, const std::vector<Index>& points) {
     });
   EXPECT_GT(trial.count[Refusal::accepted], 0);
   std::vector<bool> alive(points.size(), false);
-  for (VertexId v = 0; v < bench.mesh.vertices.size(); ++v)
+  for (VertexId v : test::living_vertices(bench.mesh))
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (bench.mesh.is_vertex_alive(v) && bench.mesh.origin_of_vertex[v] == points[i]) {
+      if (bench.mesh.origin_of_vertex[v] == points[i]) {
         alive[i] = true;
         EXPECT_EQ(bench.mesh.x(v), input.points[points[i]]);
       }
@@ -164,15 +163,15 @@ TEST(Collapse, NeedsAnEdgeAlongTheGeometry) {
   // Vertices 5 and 6 on the side x = 0 may merge; neither may move to 22, inside, though 22 may come to them.
   const Mesh input = test::cube(3);
   Workbench bench(input, Sizes(input.points.size(), 1.0));
-  for (TetId t = 0; t < bench.mesh.tets.size(); ++t)
+  for (TetId t : test::living_tets(bench.mesh))
     for (int e = 0; e < 6; ++e) {
       Workbench fresh(input, Sizes(input.points.size(), 1.0));
       const auto origin = [&](int k) { return fresh.mesh.origin_of_vertex[fresh.mesh.tets[t].v[edge_vertices[e][k]]]; };
       if (std::minmax({origin(0), origin(1)}) != std::pair<Index, Index>{6, 22}) continue;
+      const auto before = test::living_vertices(fresh.mesh);
       ASSERT_EQ(collapse_edge(fresh.kernel, t, e, anything_goes), Refusal::accepted);
       EXPECT_EQ(std::ranges::count(fresh.mesh.origin_of_vertex, Index{6}), 1);
-      for (VertexId v = 0; v < fresh.mesh.vertices.size(); ++v)
-        EXPECT_EQ(fresh.mesh.is_vertex_alive(v), fresh.mesh.origin_of_vertex[v] != 22);
+      for (VertexId v : before) EXPECT_EQ(fresh.mesh.is_vertex_alive(v), fresh.mesh.origin_of_vertex[v] != 22);
       return;
     }
   ADD_FAILURE() << "no edge from 6 to 22";

@@ -64,7 +64,7 @@ TEST(CollectShell, FindsAllRoundAnEdgeInOrder) {
     Shell shell;
     for (TetId t = 0; t < mesh.tets.size(); ++t) {
       for (int e = 0; e < 6; ++e) {
-        ASSERT_TRUE(collect_shell(mesh, t, e, shell));
+        ASSERT_EQ(collect_shell(mesh, Block(), t, e, shell), Refusal::accepted);
         const VertexId a = mesh.tets[t].v[edge_vertices[e][0]], b = mesh.tets[t].v[edge_vertices[e][1]];
         ASSERT_EQ((std::pair{shell.a, shell.b}), (std::pair{a, b}));
         const std::set<TetId> found(shell.tets.begin(), shell.tets.begin() + shell.size);
@@ -95,8 +95,8 @@ TEST(CollectShell, RefusesWhatHasNoRoom) {
       const VertexId a = built.vertex_of_point[0], b = built.vertex_of_point[1];
       const Tet& tet = built.mesh.tets[0];
       Shell shell;
-      EXPECT_EQ(collect_shell(built.mesh, 0, edge_between[tet.index_of(a)][tet.index_of(b)], shell),
-                n <= Shell::capacity);
+      EXPECT_EQ(collect_shell(built.mesh, Block(), 0, edge_between[tet.index_of(a)][tet.index_of(b)], shell),
+                n <= Shell::capacity ? Refusal::accepted : Refusal::too_large);
       TetSet ball;
       EXPECT_EQ(collect_ball(built.mesh, a, ball), n <= TetSet::capacity);
     }
@@ -112,7 +112,7 @@ TEST(CollectShell, RefusesMoreTrianglesThanASoundGeometryHas) {
   const Tet& tet = built.mesh.tets[0];
   const int edge = edge_between[tet.index_of(built.vertex_of_point[0])][tet.index_of(built.vertex_of_point[1])];
   Shell shell;
-  EXPECT_FALSE(collect_shell(built.mesh, 0, edge, shell));
+  EXPECT_EQ(collect_shell(built.mesh, Block(), 0, edge, shell), Refusal::too_large);
 }
 
 }  // namespace

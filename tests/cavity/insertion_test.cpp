@@ -44,11 +44,11 @@ void insert_everywhere(const Mesh& input, const Metric& metric, Surface surface,
   for_each_tet_edge(bench.mesh, [&](TetId t, int e) {
     if (trial.count[Refusal::accepted] >= most) return;
     const VertexId a = bench.mesh.tets[t].v[edge_vertices[e][0]], b = bench.mesh.tets[t].v[edge_vertices[e][1]];
-    const VertexId p = bench.mesh.next_vertex();
+    const VertexId p = bench.block.vertices.next();
     const Tag tag = tag_of_edge(bench.mesh, a, b);
-    const std::size_t vertices = bench.mesh.vertex_count();
+    const std::size_t vertices = test::living_vertices(bench.mesh).size();
     const Refusal outcome = trial([&] { return insert_on_edge(bench.kernel, t, e, {}); });
-    EXPECT_EQ(bench.mesh.vertex_count(), vertices + (outcome == Refusal::accepted ? 1 : 0));
+    EXPECT_EQ(test::living_vertices(bench.mesh).size(), vertices + (outcome == Refusal::accepted ? 1 : 0));
     if (outcome != Refusal::accepted) return;
     expect_in_the_middle(bench, a, b, p);
     EXPECT_EQ(bench.mesh.tag_of_vertex[p], tag);
@@ -77,6 +77,7 @@ TEST(Insertion, GrowsBeyondTheShellByTheCriterion) {
   for_each_tet_edge(bench.mesh, [&](TetId t, int e) {
     if (insert_on_edge(bench.kernel, t, e, {.shortest_new_edge = 0.5}) != Refusal::accepted) return;
     larger += bench.kernel.cavity.tets.size() > bench.kernel.shell.size ? 1 : 0;
+    bench.replenish();
   });
   EXPECT_GT(larger, 10);
 }
@@ -99,7 +100,7 @@ TEST(Insertion, MakesNothingWorseThanItsRulesAllow) {
   const InsertionRules rules = {.shortest_new_edge = 0.6, .worst_quality = 0.3, .share_of_old = 0.9};
   int accepted = 0;
   for_each_tet_edge(bench.mesh, [&](TetId t, int e) {
-    const VertexId p = bench.mesh.next_vertex();
+    const VertexId p = bench.block.vertices.next();
     const test::Snapshot before(bench.mesh);
     if (insert_on_edge(bench.kernel, t, e, rules) != Refusal::accepted) return;
     ++accepted;
@@ -109,13 +110,14 @@ TEST(Insertion, MakesNothingWorseThanItsRulesAllow) {
       EXPECT_GT(test::quality_of(bench.mesh, made), std::min(0.3, 0.9 * worst_old) - 1e-6);
       for (VertexId v : bench.mesh.tets[made].v) EXPECT_TRUE(v == p || bench.kernel.length(p, v) > 0.6 * (1 - 1e-12));
     }
+    bench.replenish();
   });
   EXPECT_GT(accepted, 20);
 }
 
 // The edge of the input in the mesh under work: a tetrahedron and its number there.
 std::pair<TetId, int> find_edge(const TetMesh& mesh, Index p, Index q) {
-  for (TetId t = 0; t < mesh.tets.size(); ++t)
+  for (TetId t : test::living_tets(mesh))
     for (int e = 0; e < 6; ++e) {
       const Index a = mesh.origin_of_vertex[mesh.tets[t].v[edge_vertices[e][0]]];
       const Index b = mesh.origin_of_vertex[mesh.tets[t].v[edge_vertices[e][1]]];
@@ -174,7 +176,7 @@ TEST(Insertion, MarksTheShellAsTried) {
   Workbench bench(input, Sizes(input.points.size(), 10));
   const auto [t, e] = find_edge(bench.mesh, 13, 14);
   EXPECT_EQ(insert_on_edge(bench.kernel, t, e, {}), Refusal::short_edge);
-  for (TetId i = 0; i < bench.mesh.tets.size(); ++i)
+  for (TetId i : test::living_tets(bench.mesh))
     for (int k = 0; k < 6; ++k) {
       const Index a = bench.mesh.origin_of_vertex[bench.mesh.tets[i].v[edge_vertices[k][0]]];
       const Index b = bench.mesh.origin_of_vertex[bench.mesh.tets[i].v[edge_vertices[k][1]]];

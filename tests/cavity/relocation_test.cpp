@@ -10,18 +10,18 @@ using test::Workbench;
 
 double worst_at(const TetMesh& mesh, VertexId v) {
   double worst = 1;
-  for (TetId t = 0; t < mesh.tets.size(); ++t)
-    if (mesh.tets[t].alive() && mesh.tets[t].has(v)) worst = std::min(worst, test::quality_of(mesh, t));
+  for (TetId t : test::living_tets(mesh))
+    if (mesh.tets[t].has(v)) worst = std::min(worst, test::quality_of(mesh, t));
   return worst;
 }
 
 // Everything but one vertex, its tetrahedra's qualities and what follows from them.
 void expect_only_moved(const TetMesh& mesh, const test::Snapshot& before, VertexId moved) {
-  for (VertexId v = 0; v < mesh.vertices.size(); ++v) {
+  for (VertexId v : test::living_vertices(mesh)) {
     EXPECT_TRUE(v == moved || mesh.x(v) == before.vertices[v].x) << v << " while moving " << moved;
     EXPECT_TRUE(v == moved || mesh.vertices[v].m == before.vertices[v].m);
   }
-  for (TetId t = 0; t < mesh.tets.size(); ++t) {
+  for (TetId t : test::living_tets(mesh)) {
     EXPECT_EQ(mesh.tets[t].v, before.tets[t].v);
     EXPECT_EQ(mesh.tets[t].n, before.tets[t].n);
     EXPECT_TRUE(mesh.tets[t].has(moved) || mesh.tets[t].quality == before.tets[t].quality);
@@ -33,7 +33,8 @@ std::array<int, 4> relocate_everything(const Mesh& input, const Metric& metric, 
   Trials trial(bench);
   std::array<int, 4> moved{};
   for (int sweep = 0; sweep < 2; ++sweep) {
-    for (VertexId v = 0; v < bench.mesh.vertices.size() && !testing::Test::HasFatalFailure(); ++v) {
+    for (VertexId v : test::living_vertices(bench.mesh)) {
+      if (testing::Test::HasFatalFailure()) return moved;
       const test::Snapshot before(bench.mesh);
       const double old_worst = worst_at(bench.mesh, v);
       const std::uint32_t dimension = bench.mesh.tag_of_vertex[v].dimension;
@@ -75,12 +76,12 @@ TEST(Relocation, SmoothsADisturbedGrid) {
   Workbench bench(input, Sizes(input.points.size(), 0.25));
   const auto worst = [&] {
     double least = 1;
-    for (VertexId v = 0; v < bench.mesh.vertices.size(); ++v) least = std::min(least, worst_at(bench.mesh, v));
+    for (VertexId v : test::living_vertices(bench.mesh)) least = std::min(least, worst_at(bench.mesh, v));
     return least;
   };
   const double before = worst();
   for (int sweep = 0; sweep < 8; ++sweep)
-    for (VertexId v = 0; v < bench.mesh.vertices.size(); ++v) (void)relocate(bench.kernel, v, {});
+    for (VertexId v : test::living_vertices(bench.mesh)) (void)relocate(bench.kernel, v, {});
   EXPECT_GT(worst(), 1.3 * before);
 }
 
@@ -105,7 +106,7 @@ TEST(Relocation, BringsAVertexToWhereItsEdgesAreUnit) {
 TEST(Relocation, RestsWhereNothingIsToBeGained) {
   Mesh input = test::cube(3);
   Workbench bench(input, Sizes(input.points.size(), 0.35));
-  for (VertexId v = 0; v < bench.mesh.vertices.size(); ++v)
+  for (VertexId v : test::living_vertices(bench.mesh))
     EXPECT_NE(relocate(bench.kernel, v, {.good_enough = 0}), Refusal::accepted);
 }
 
@@ -115,9 +116,9 @@ TEST(Relocation, LeavesTheRequiredAlone) {
   input.required_tetrahedra = {80};
   Workbench bench(input, test::random_field(input, 1, 2));
   for (int sweep = 0; sweep < 5; ++sweep)
-    for (VertexId v = 0; v < bench.mesh.vertices.size(); ++v) (void)relocate(bench.kernel, v, {});
+    for (VertexId v : test::living_vertices(bench.mesh)) (void)relocate(bench.kernel, v, {});
   int moved = 0;
-  for (VertexId v = 0; v < bench.mesh.vertices.size(); ++v) {
+  for (VertexId v : test::living_vertices(bench.mesh)) {
     const Index p = bench.mesh.origin_of_vertex[v];
     const bool stays = std::ranges::count(input.required_points, p) + std::ranges::count(input.tetrahedra[80], p) > 0;
     EXPECT_TRUE(!stays || bench.mesh.x(v) == input.points[p]) << p;

@@ -10,8 +10,7 @@ using test::Workbench;
 
 double worst_of(const TetMesh& mesh) {
   double worst = 1;
-  for (TetId t = 0; t < mesh.tets.size(); ++t)
-    if (mesh.tets[t].alive()) worst = std::min(worst, test::quality_of(mesh, t));
+  for (TetId t : test::living_tets(mesh)) worst = std::min(worst, test::quality_of(mesh, t));
   return worst;
 }
 
@@ -57,7 +56,7 @@ TEST(Repair, LeavesTheRequiredAlone) {
   for (Index p = 0; p < input.points.size(); ++p) input.required_points.push_back(p);
   Workbench bench(input, test::random_field(input, 0.6, 1));
   Trials trial(bench);
-  for (TetId t = 0; t < bench.mesh.tets.size(); ++t) {
+  for (TetId t : test::living_tets(bench.mesh)) {
     const Refusal outcome = trial([&] { return repair(bench.kernel, t, {}); });
     EXPECT_NE(outcome, Refusal::accepted);
   }

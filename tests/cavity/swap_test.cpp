@@ -16,7 +16,7 @@ const SwapRules anything_better = {.good_enough = 1, .poor = 1, .gain = 1.001, .
 
 // The edge between points 0 and 1 of the input.
 std::pair<TetId, int> axis_of(const TetMesh& mesh) {
-  for (TetId t = 0; t < mesh.tets.size(); ++t)
+  for (TetId t : test::living_tets(mesh))
     for (int e = 0; e < 6; ++e) {
       const auto& v = mesh.tets[t].v;
       if (mesh.origin_of_vertex[v[edge_vertices[e][0]]] + mesh.origin_of_vertex[v[edge_vertices[e][1]]] == 1)
@@ -68,8 +68,7 @@ RingCase random_ring(Random& random, int n, bool closed) {
 
 double worst_of(const TetMesh& mesh) {
   double worst = 1;
-  for (TetId t = 0; t < mesh.tets.size(); ++t)
-    if (mesh.tets[t].alive()) worst = std::min(worst, test::quality_of(mesh, t));
+  for (TetId t : test::living_tets(mesh)) worst = std::min(worst, test::quality_of(mesh, t));
   return worst;
 }
 
@@ -85,7 +84,7 @@ std::map<Refusal, int> swap_rings(int n, bool closed, Surface surface) {
         trial([&, tet = t, edge = e] { return swap_edge(bench.kernel, tet, edge, anything_better); });
     ++count[outcome];
     if (outcome == Refusal::accepted) {
-      EXPECT_EQ(bench.mesh.tet_count(), static_cast<std::size_t>(2 * (n - 2)));
+      EXPECT_EQ(test::living_tets(bench.mesh).size(), static_cast<std::size_t>(2 * (n - 2)));
       EXPECT_NEAR(worst_of(bench.mesh), c.best_new, 1e-9) << "not the best fan was taken";
     } else {
       EXPECT_LT(c.best_new, c.old_worst * 1.001 + 1e-6) << Trials::name(outcome);
@@ -185,7 +184,7 @@ TEST(SwapEdge, InDisturbedDomains) {
         const test::Snapshot before(bench.mesh);
         if (trial([&] { return swap_edge(bench.kernel, t, e, anything_better); }) != Refusal::accepted) return;
         on_surface += bench.kernel.shell.triangle_count > 0 ? 1 : 0;
-        EXPECT_EQ(bench.mesh.vertex_count(), before.counts[0]);
+        EXPECT_EQ(test::living_vertices(bench.mesh).size(), before.living[0]);
         float worst_old = 1;
         double worst_new = 1;
         for (TetId old : bench.kernel.shell_tets()) worst_old = std::min(worst_old, before.tets[old].quality);
@@ -221,7 +220,7 @@ TEST(SwapFace, TurnsTwoTetrahedraIntoThree) {
     if (trial([&] { return swap_face(bench.kernel, 0, face, anything_better); }) == Refusal::accepted) {
       ++swapped;
       EXPECT_TRUE(convex);
-      EXPECT_EQ(bench.mesh.tet_count(), 3);
+      EXPECT_EQ(test::living_tets(bench.mesh).size(), 3);
       EXPECT_GT(worst_of(bench.mesh), old_worst);
     } else {
       ++refused;
@@ -243,13 +242,13 @@ TEST(SwapFace, InDisturbedDomains) {
     for (TetId t = 0; t < tets && !testing::Test::HasFatalFailure(); ++t)
       for (int f = 0; f < 4 && bench.mesh.tets[t].alive(); ++f) {
         const bool at_triangle = bench.mesh.tets[t].n[f].is_triangle();
-        const std::size_t before = bench.mesh.tet_count(), triangles = bench.mesh.triangle_count();
+        const test::Snapshot before(bench.mesh);
         const Refusal outcome = trial([&] { return swap_face(bench.kernel, t, f, anything_better); });
         EXPECT_FALSE(at_triangle && outcome != Refusal::no_candidate);
         // At the boundary of a plane askew, up to rounding, two tetrahedra become two, and so do their triangles.
-        const std::size_t more = bench.mesh.tet_count() - before;
+        const std::size_t more = test::living_tets(bench.mesh).size() - before.living[1];
         EXPECT_TRUE(outcome == Refusal::accepted ? more <= 1 : more == 0);
-        EXPECT_EQ(bench.mesh.triangle_count(), triangles);
+        EXPECT_EQ(test::living_triangle_count(bench.mesh), before.living[2]);
       }
     accepted += trial.count[Refusal::accepted];
     EXPECT_GT(trial.count[Refusal::inverted], 0);
@@ -266,9 +265,8 @@ TEST(Swaps, LeaveTheRequiredAlone) {
   std::set<std::array<VertexId, 4>> required;
   const auto frozen_tets = [&] {
     std::set<std::array<VertexId, 4>> found;
-    for (TetId t = 0; t < bench.mesh.tets.size(); ++t)
-      if (bench.mesh.tets[t].alive() && bench.model.regions[bench.mesh.region_of_tet[t]].frozen)
-        found.insert(bench.mesh.tets[t].v);
+    for (TetId t : test::living_tets(bench.mesh))
+      if (bench.model.regions[bench.mesh.region_of_tet[t]].frozen) found.insert(bench.mesh.tets[t].v);
     return found;
   };
   required = frozen_tets();

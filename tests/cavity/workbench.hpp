@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "adapt/setup.hpp"
 #include "cavity/kernel.hpp"
@@ -21,7 +23,9 @@ namespace taut::test {
 class Workbench {
 public:
   explicit Workbench(const Mesh& input, const Metric& metric, Surface surface = Surface::adapt)
-      : problem_(set_up(input, metric, with(surface), report_)) {}
+      : problem_(set_up(input, metric, with(surface), report_)) {
+    block.borrow(mesh, ids);
+  }
   Workbench(const Workbench&) = delete;
   Workbench& operator=(const Workbench&) = delete;
 
@@ -39,8 +43,41 @@ public:
   TetMesh& mesh = problem_.mesh;
   const Model& model = problem_.model;
   const Target& target = *problem_.target;
-  Kernel kernel{mesh, model, target};
+  Block block;  // the whole mesh
+  Kernel kernel{mesh, model, target, &block};
+
+  /// Returns the ids not in use, so that the mesh can be inspected, and borrows new ones.
+  template <class Inspection>
+  void settled(Inspection inspect) {
+    block.give_back(mesh);
+    inspect();
+    block.borrow(mesh, ids);
+  }
+  /// As many ids as at the start.
+  void replenish() {
+    settled([] {});
+  }
+
+private:
+  static constexpr IdNeed ids{.vertices = 20, .tets = 200, .triangles = 40};
 };
+
+/// What is alive of a mesh from which ids are borrowed.
+inline std::vector<VertexId> living_vertices(const TetMesh& mesh) {
+  std::vector<VertexId> living;
+  for (VertexId v = 0; v < mesh.vertices.size(); ++v)
+    if (mesh.is_vertex_alive(v)) living.push_back(v);
+  return living;
+}
+inline std::vector<TetId> living_tets(const TetMesh& mesh) {
+  std::vector<TetId> living;
+  for (TetId t = 0; t < mesh.tets.size(); ++t)
+    if (mesh.tets[t].alive()) living.push_back(t);
+  return living;
+}
+inline std::size_t living_triangle_count(const TetMesh& mesh) {
+  return static_cast<std::size_t>(std::ranges::count_if(mesh.triangles, &Triangle::alive));
+}
 
 /// Bit for bit all that a refused operation must not touch: everything but the notes of what was tried.
 struct Snapshot {
@@ -53,8 +90,7 @@ struct Snapshot {
         region_of_tet(m.region_of_tet),
         tets(m.tets),
         triangles(m.triangles),
-        counts{m.vertex_count(), m.tet_count(), m.triangle_count()},
-        next_vertex(m.next_vertex()) {}
+        living{living_vertices(m).size(), living_tets(m).size(), living_triangle_count(m)} {}
 
   [[nodiscard]] bool operator==(const Snapshot& o) const {
     const auto same_tet = [](const Tet& s, const Tet& t) { return s.v == t.v && s.n == t.n && s.quality == t.quality; };
@@ -66,7 +102,7 @@ struct Snapshot {
            host_of_vertex == o.host_of_vertex && origin_of_vertex == o.origin_of_vertex &&
            tag_of_vertex == o.tag_of_vertex && region_of_tet == o.region_of_tet &&
            std::ranges::equal(tets, o.tets, same_tet) && std::ranges::equal(triangles, o.triangles, same_triangle) &&
-           counts == o.counts && next_vertex == o.next_vertex;
+           living == o.living;
   }
 
   std::vector<Vertex> vertices;
@@ -76,8 +112,7 @@ struct Snapshot {
   std::vector<RegionId> region_of_tet;
   std::vector<Tet> tets;
   std::vector<Triangle> triangles;
-  std::array<std::size_t, 3> counts;
-  VertexId next_vertex;
+  std::array<std::size_t, 3> living;  ///< vertices, tetrahedra, triangles
 };
 
 /// What no operation may change: volumes of regions, areas of patches, lengths of lines, places of corners.
@@ -89,10 +124,9 @@ struct Conserved {
 inline Conserved conserved_by(const Workbench& bench) {
   const TetMesh& m = bench.mesh;
   Conserved sums;
-  for (TetId t = 0; t < m.tets.size(); ++t) {
+  for (TetId t : living_tets(m)) {
     const auto& v = m.tets[t].v;
-    if (m.tets[t].alive())
-      sums.volume[m.region_of_tet[t]] += six_volumes(m.x(v[0]), m.x(v[1]), m.x(v[2]), m.x(v[3])) / 6;
+    sums.volume[m.region_of_tet[t]] += six_volumes(m.x(v[0]), m.x(v[1]), m.x(v[2]), m.x(v[3])) / 6;
   }
   for (const Triangle& t : m.triangles) {
     if (!t.alive()) continue;
@@ -100,8 +134,8 @@ inline Conserved conserved_by(const Workbench& bench) {
     for (int k = 0; k < 3; ++k)
       if (t.line[k] != none) sums.length[t.line[k]] += norm(m.x(t.v[(k + 1) % 3]) - m.x(t.v[(k + 2) % 3]));
   }
-  for (VertexId v = 0; v < m.vertices.size(); ++v)
-    if (m.is_vertex_alive(v) && m.tag_of_vertex[v].dimension == 0) sums.corners.insert(m.x(v));
+  for (VertexId v : living_vertices(m))
+    if (m.tag_of_vertex[v].dimension == 0) sums.corners.insert(m.x(v));
   return sums;
 }
 
@@ -113,9 +147,9 @@ inline void expect_near(const std::map<std::uint32_t, double>& found, const std:
 
 inline void expect_on_geometry(const Workbench& bench) {
   const TetMesh& m = bench.mesh;
-  for (VertexId v = 0; v < m.vertices.size(); ++v) {
+  for (VertexId v : living_vertices(m)) {
     const Tag tag = m.tag_of_vertex[v];
-    if (!m.is_vertex_alive(v) || tag.dimension == 0 || tag.dimension == 3) continue;
+    if (tag.dimension == 0 || tag.dimension == 3) continue;
     ASSERT_LT(norm(bench.model.project(tag, m.x(v)) - m.x(v)), 1e-13) << "vertex " << v << " has left its place";
   }
   std::vector<Triangle> living;
@@ -146,20 +180,17 @@ inline double quality_of(const TetMesh& m, TetId t) {
   return shape_quality(p[0]->x, p[1]->x, p[2]->x, p[3]->x, p[0]->m, p[1]->m, p[2]->m, p[3]->m);
 }
 
-inline void expect_sound(const Workbench& bench, const Conserved& before) {
+inline void expect_sound(Workbench& bench, const Conserved& before) {
   std::vector<int> refs;
   for (const Region& region : bench.model.regions) refs.push_back(region.ref);
-  ASSERT_EQ(first_broken_invariant(bench.mesh, refs), "");
+  bench.settled([&] { ASSERT_EQ(first_broken_invariant(bench.mesh, refs), ""); });
   const Conserved now = conserved_by(bench);
   expect_near(now.volume, before.volume, "region");
   expect_near(now.area, before.area, "patch");
   expect_near(now.length, before.length, "line");
   ASSERT_EQ(now.corners, before.corners);
   expect_on_geometry(bench);
-  for (TetId t = 0; t < bench.mesh.tets.size(); ++t) {
-    if (!bench.mesh.tets[t].alive()) continue;
-    ASSERT_NEAR(bench.mesh.tets[t].quality, quality_of(bench.mesh, t), 1e-6);
-  }
+  for (TetId t : living_tets(bench.mesh)) ASSERT_NEAR(bench.mesh.tets[t].quality, quality_of(bench.mesh, t), 1e-6);
 }
 
 /// Does an operation; if it is refused nothing may have changed, if it is accepted all stays sound.
@@ -170,12 +201,13 @@ public:
   template <class Operation>
   Refusal operator()(Operation operation) {
     const Snapshot before(bench_.mesh);
+    const auto ids = ids_left();
     const Refusal outcome = operation();
     ++count[outcome];
     if (outcome == Refusal::accepted)
       expect_sound(bench_, conserved_);
     else
-      EXPECT_TRUE(Snapshot(bench_.mesh) == before) << "changed, though refused: " << name(outcome);
+      EXPECT_TRUE(Snapshot(bench_.mesh) == before && ids_left() == ids) << "changed, though refused: " << name(outcome);
     return outcome;
   }
 
@@ -184,6 +216,14 @@ public:
   std::map<Refusal, int> count;
 
 private:
+  // How many there are, and which is next.
+  [[nodiscard]] std::array<std::size_t, 6> ids_left() const {
+    const auto next = [](const IdPool& ids) { return ids.available() > 0 ? ids.next() : none; };
+    const auto& [vertices, tets, triangles] =
+        std::tie(bench_.block.vertices, bench_.block.tets, bench_.block.triangles);
+    return {vertices.available(), tets.available(), triangles.available(), next(vertices), next(tets), next(triangles)};
+  }
+
   Workbench& bench_;
   Conserved conserved_;
 };

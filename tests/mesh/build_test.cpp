@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <set>
 
+#include "base/with_threads.hpp"
 #include "mesh/invariants.hpp"
 #include "mesh/shapes.hpp"
 #include "taut/error.hpp"
@@ -214,6 +216,70 @@ TEST(Build, RefusesWhatDoesNotFitTogether) {
         m.triangle_refs.push_back(0);
       },
       "triangle 49 repeats triangle 6");
+}
+
+// Many times the entities that one task looks at.
+const Mesh& large() {
+  static const Mesh mesh = [] {
+    Mesh made = test::grid(28);
+    test::jitter(made, 0.004, 1);
+    for (const auto& t : made.tetrahedra) made.tetrahedron_refs.push_back(test::centre_of(made, t)[0] < 0.5 ? 1 : 2);
+    for (std::size_t t = 0; t < made.tetrahedra.size(); t += 1000)
+      std::swap(made.tetrahedra[t][0], made.tetrahedra[t][1]);
+    return made;
+  }();
+  return mesh;
+}
+
+TEST(Build, IsTheSameOnAnyNumberOfThreads) {
+  const Built one = test::with_threads(1, [] { return build(large()); });
+  const Built three = test::with_threads(3, [] { return build(large()); });
+  expect_faithful(large(), one);
+  EXPECT_EQ(one.triangles_built, 6 * 28 * 28 * 2 + 28 * 28 * 2);
+  EXPECT_EQ(one.reoriented, 132);
+  EXPECT_EQ(one.region_refs, (std::vector<int>{1, 2}));
+  EXPECT_EQ(one.vertex_of_point, three.vertex_of_point);
+  EXPECT_EQ(one.mesh.tet_of_vertex, three.mesh.tet_of_vertex);
+  EXPECT_EQ(one.mesh.origin_of_vertex, three.mesh.origin_of_vertex);
+  EXPECT_EQ(one.mesh.region_of_tet, three.mesh.region_of_tet);
+  const auto same_tet = [](const Tet& a, const Tet& b) { return a.v == b.v && a.n == b.n; };
+  EXPECT_TRUE(std::ranges::equal(one.mesh.tets, three.mesh.tets, same_tet));
+  const auto same_triangle = [](const Triangle& a, const Triangle& b) { return a.v == b.v && a.side == b.side; };
+  EXPECT_TRUE(std::ranges::equal(one.mesh.triangles, three.mesh.triangles, same_triangle));
+}
+
+template <class Damage>
+void expect_refused_alike(Damage damage, const std::string& message) {
+  Mesh mesh = large();
+  damage(mesh);
+  for (const int threads : {1, 3}) EXPECT_EQ(test::refusal(threads, [&] { return build(mesh); }), message);
+}
+
+TEST(Build, RefusesTheFirstOfSeveralOnAnyNumberOfThreads) {
+  expect_refused_alike([](Mesh& m) { m.points[17000][2] = m.points[24000][1] = m.points[3000][0] = INFINITY; },
+                       "vertex 3001: coordinate inf is not finite");
+  expect_refused_alike(
+      [](Mesh& m) { m.tetrahedra[20000][1] = m.tetrahedra[120000][0] = m.tetrahedra[70000][2] = 99999; },
+      "tetrahedron 20001: vertex 100000 found, expected 1..24389");
+  expect_refused_alike(
+      [](Mesh& m) {
+        m.triangles.assign(40000, {0, 1, 29 * 29});
+        m.triangles[17000] = m.triangles[39000] = {5, 6, 5};
+      },
+      "triangle 17001 (6 7 6) repeats vertex 6");
+  const auto add_tet = [](Mesh& m, std::size_t t, double z) {  // two of them are in different tasks
+    auto v = m.tetrahedra[t];
+    v[3] = static_cast<Index>(m.points.size());
+    m.points.push_back({0.5, 0.5, z});
+    m.tetrahedra.push_back(v);
+    m.tetrahedron_refs.push_back(1);
+  };
+  Mesh crowded = large();
+  add_tet(crowded, 20000, 9);
+  add_tet(crowded, 120000, -9);
+  const std::string message = test::refusal(1, [&] { return build(crowded); });
+  EXPECT_TRUE(message.ends_with("is shared by more than two tetrahedra")) << message;
+  EXPECT_EQ(test::refusal(3, [&] { return build(crowded); }), message);
 }
 
 TEST(Build, RefusesMoreRegionsThanIdsHold) {

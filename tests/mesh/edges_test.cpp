@@ -5,6 +5,7 @@
 #include <random>
 #include <set>
 
+#include "base/with_threads.hpp"
 #include "mesh/grid.hpp"
 
 namespace taut {
@@ -41,6 +42,14 @@ TEST(Edges, OfTetrahedraAtRandom) {
       t = {vertex(generator), vertex(generator), vertex(generator), vertex(generator)};
     while (std::set<Index>(t.begin(), t.end()).size() < 4);
   EXPECT_EQ(edges_of(tets), by_a_set(tets));
+}
+
+TEST(Edges, AreTheSameOnAnyNumberOfThreads) {
+  const Mesh mesh = test::grid(28);
+  const auto compute = [&] { return edges_of(mesh.tetrahedra); };
+  const auto edges = test::with_threads(3, compute);
+  EXPECT_EQ(edges, by_a_set(mesh.tetrahedra));
+  EXPECT_EQ(edges, test::with_threads(1, compute));
 }
 
 }  // namespace

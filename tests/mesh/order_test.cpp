@@ -9,6 +9,7 @@
 #include "mesh/hilbert.hpp"
 #include "mesh/invariants.hpp"
 #include "mesh/shapes.hpp"
+#include "taut/threads.hpp"
 
 namespace taut {
 namespace {
@@ -100,6 +101,27 @@ TEST(Reorder, KeepsTheMeshAndDropsTheDead) {
     EXPECT_EQ(mesh.drift[v], static_cast<float>(mesh.x(v)[1]));
     EXPECT_EQ(mesh.restless[v] != 0, mesh.x(v)[0] > 0.5);
   }
+}
+
+// Every other tetrahedron gone, as far as reorder() is concerned.
+TetMesh with_gaps() {
+  TetMesh mesh = build(test::grid(28)).mesh;
+  for (TetId t = 0; t < mesh.tets.size(); t += 2) mesh.remove_tet(t);
+  for (VertexId v = 0; v < mesh.vertices.size(); ++v) mesh.tet_of_vertex[v] |= 1U;
+  for (VertexId v = 0; v < mesh.vertices.size(); v += 5) mesh.host_of_vertex[v] = v;
+  return mesh;
+}
+
+TEST(Reorder, IsTheSameOnAnyNumberOfThreads) {
+  TetMesh one = with_gaps(), three = one;
+  on_threads(1, [&] { reorder(one); });
+  on_threads(3, [&] { reorder(three); });
+  EXPECT_EQ(one.tets.size(), 28 * 28 * 28 * 3);
+  EXPECT_EQ(one.tet_of_vertex, three.tet_of_vertex);
+  EXPECT_EQ(one.host_of_vertex, three.host_of_vertex);
+  EXPECT_EQ(one.origin_of_vertex, three.origin_of_vertex);
+  EXPECT_TRUE(
+      std::ranges::equal(one.tets, three.tets, [](const Tet& a, const Tet& b) { return a.v == b.v && a.n == b.n; }));
 }
 
 TEST(Reorder, BringsNeighboursTogether) {

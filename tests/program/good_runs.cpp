@@ -1,5 +1,6 @@
 // Runs that succeed: the files written, the tables, the reports.
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "program/fixture.hpp"
 #include "program/meshes.hpp"
@@ -55,6 +56,27 @@ TEST_F(GoodRun, TensorsAndAllOutputs) {
   EXPECT_GT(report["passes"][0]["accepted"], 0);
   EXPECT_NEAR(report["quality"]["complexity"].get<double>(), 160, 1e-6);
   EXPECT_TRUE(report["seconds"].contains("read") && report["seconds"].contains("write"));
+}
+
+TEST_F(GoodRun, ThreadsLeaveTheFilesAsTheyAre) {
+  write("m.sol", metric_text(Tensors(27, {1600, 0, 0, 100, 0, 100})));
+  std::set<std::string> meshes, metrics, hashes;
+  for (const char* threads : {"1", "2", "3", "5", "8"}) {
+    expect_done({"adapt", "cube.mesh", "--metric", "m.sol", "-o", "out.meshb", "--metric-out", "out.solb", "--report",
+                 "out.json", "--threads", threads, "--block-size", "300"});
+    meshes.insert(read("out.meshb"));
+    metrics.insert(read("out.solb"));
+    const json report = json::parse(read("out.json"));
+    hashes.insert(report["hash"].get<std::string>());
+    EXPECT_EQ(std::to_string(report["threads"].get<int>()), threads);
+    EXPECT_GT(report["blocks"], 5);
+    EXPECT_GT(report["passes"][0]["put_off"], 0);
+  }
+  EXPECT_EQ(meshes.size(), 1U);
+  EXPECT_EQ(metrics.size(), 1U);
+  EXPECT_EQ(hashes.size(), 1U);
+  EXPECT_EQ(expect_done({"quality", "out.meshb", "--threads", "1"}).out,
+            expect_done({"quality", "out.meshb", "--threads", "3"}).out);
 }
 
 TEST_F(GoodRun, HistogramsCountEverything) {

@@ -43,6 +43,7 @@ TEST_F(Usage, ValuesOutOfRange) {
       {"--size", "1x", "above 0"},         {"--hmin", "-1", "above 0"},     {"--hmax", "0", "above 0"},
       {"--gradation", "1", "above 1"},     {"--gradation", "on", "or off"}, {"--angle", "0", "between 0 and 180"},
       {"--angle", "180", "between 0 and"}, {"--passes", "-1", "0 or more"}, {"--passes", "1.5", "whole"},
+      {"--threads", "-1", "0 to 1024"},    {"--threads", "1025", "0 to"},   {"--block-size", "1.5", "whole"},
       {"--surface", "keep", "fixed"},
   };
   for (const auto& [option, value, expected] : values)

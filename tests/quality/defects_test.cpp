@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/with_threads.hpp"
 #include "mesh/grid.hpp"
 #include "quality/faces.hpp"
 #include "taut/quality.hpp"
@@ -14,7 +15,8 @@ namespace {
 /// A grid with a triangle on each boundary face.
 Mesh sound() {
   Mesh mesh = test::grid(2);
-  const auto faces = faces_of(mesh.tetrahedra, mesh.points.size());
+  const auto by_vertex = faces_of(mesh.tetrahedra, mesh.points.size());
+  const auto faces = by_vertex.all();
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const bool before = i > 0 && faces[i - 1].vertices == faces[i].vertices;
     const bool after = i + 1 < faces.size() && faces[i + 1].vertices == faces[i].vertices;
@@ -74,7 +76,7 @@ TEST(Defects, Orientation) {
 TEST(Defects, Faces) {
   Mesh mesh = sound();
   const auto faces = faces_of(mesh.tetrahedra, mesh.points.size());
-  const auto shared = std::ranges::adjacent_find(faces, {}, &Face::vertices);
+  const auto shared = std::ranges::adjacent_find(faces.all(), {}, &Face::vertices);
   mesh.tetrahedra.push_back({shared->vertices[0], shared->vertices[1], shared->vertices[2], 26});
   expect_defect(mesh, "faces shared by more than two tetrahedra");
   mesh = sound();
@@ -109,6 +111,23 @@ TEST(Defects, UnusedPoints) {
   Mesh mesh = sound();
   mesh.points.push_back({5, 5, 5});
   expect_defect(mesh, "points of no tetrahedron: 1, the first is number 28");
+}
+
+TEST(Defects, AreTheSameOnAnyNumberOfThreads) {
+  Mesh mesh = test::grid(28);
+  mesh.triangles.assign(20000, {0, 13, 26});
+  mesh.tetrahedron_refs.assign(mesh.tetrahedra.size(), 1);
+  mesh.points.push_back({5, 5, 5});
+  for (const std::size_t t : {30000U, 70000U, 110000U}) {
+    std::swap(mesh.tetrahedra[t][0], mesh.tetrahedra[t][1]);
+    mesh.tetrahedra[t + 5] = mesh.tetrahedra[t];
+    mesh.tetrahedron_refs[t + 9] = 2;
+  }
+  const auto compute = [&] { return defects(mesh); };
+  const auto found = test::with_threads(1, compute);
+  EXPECT_EQ(found[0], "inverted tetrahedra: 6, the first is number 30001");
+  EXPECT_EQ(found.back(), "points of no tetrahedron: 1, the first is number 24390");
+  EXPECT_EQ(test::with_threads(3, compute), found);
 }
 
 }  // namespace

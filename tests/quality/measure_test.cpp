@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/with_threads.hpp"
 #include "mesh/grid.hpp"
 #include "metric/random_metrics.hpp"
 #include "taut/error.hpp"
@@ -90,6 +91,34 @@ TEST(Measure, TurnsWithMeshAndMetric) {
   EXPECT_NEAR(a.complexity / b.complexity, 1, 1e-11);
   EXPECT_NEAR(a.Q_mean / b.Q_mean, 1, 1e-9);
   EXPECT_NEAR(a.mean_ratio_mean, b.mean_ratio_mean, 1e-11);
+}
+
+TEST(Measure, IsTheSameOnAnyNumberOfThreads) {
+  Random random(2);
+  const Mesh mesh = grid(28);
+  Tensors metric;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) metric.push_back(random.metric(0.05));
+  const auto compute = [&] { return measure(mesh, metric); };
+  const Quality one = test::with_threads(1, compute), three = test::with_threads(3, compute);
+  EXPECT_EQ(one.tau, three.tau);
+  EXPECT_EQ(one.complexity, three.complexity);
+  EXPECT_EQ(one.volume, three.volume);
+  EXPECT_EQ(one.Q_mean, three.Q_mean);
+  EXPECT_EQ(one.mean_ratio_mean, three.mean_ratio_mean);
+  EXPECT_EQ(one.length_histogram, three.length_histogram);
+  EXPECT_EQ(one.Q_histogram, three.Q_histogram);
+}
+
+TEST(Measure, RefusesTheFirstOfSeveralOnAnyNumberOfThreads) {
+  Mesh mesh = grid(28);
+  Sizes sizes(mesh.points.size(), 1.0);
+  sizes[17000] = sizes[23000] = -1;
+  const auto compute = [&] { return measure(mesh, sizes); };
+  for (const int threads : {1, 3})
+    EXPECT_EQ(test::refusal(threads, compute), "metric: vertex 17001: the size is -1, expected a positive number");
+  mesh.tetrahedra[20000][3] = mesh.tetrahedra[130000][3] = 99999;
+  for (const int threads : {1, 3})
+    EXPECT_EQ(test::refusal(threads, compute), "mesh: tetrahedron 20001: vertex 100000 found, expected 1..24389");
 }
 
 TEST(Measure, FlatElementsAreInfinitelyBad) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/with_threads.hpp"
 #include "mesh/edges.hpp"
 #include "mesh/grid.hpp"
 #include "metric/length.hpp"
@@ -85,6 +86,17 @@ TEST(Gradation, LeavesAFieldWithinTheBoundAlone) {
   std::vector<Sym3> linear;
   for (const Point& x : s.mesh.points) linear.push_back(metric_of_size(0.1 + 0.2 * x[0]));
   EXPECT_EQ(gradate(s.mesh.points, s.edges, linear, 1.3), linear);
+}
+
+TEST(Gradation, IsTheSameOnAnyNumberOfThreads) {
+  const Setting s = setting(28);
+  Random random(4);
+  std::vector<Sym3> noise(s.mesh.points.size());
+  for (Sym3& m : noise) m = random.metric(0.1);
+  const auto compute = [&] { return gradate(s.mesh.points, s.edges, noise, 1.5); };
+  const auto one = test::with_threads(1, compute);
+  expect_bound_holds(s, one, 1.5);
+  EXPECT_EQ(test::with_threads(3, compute), one);
 }
 
 TEST(Gradation, OfNothing) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/with_threads.hpp"
 #include "mesh/build.hpp"
 #include "mesh/shapes.hpp"
 #include "metric/random_metrics.hpp"
@@ -125,6 +126,20 @@ TEST_P(TargetOnDomains, FindsItsWay) {
     std::uint32_t host = from;
     EXPECT_LT(distance(target.at(x, host), field(x)), 1e-11) << "from " << from << " to " << to;
     EXPECT_TRUE(contains(mesh, host, x));
+  }
+}
+
+TEST(Target, IsTheSameOnAnyNumberOfThreads) {
+  Random random(7);
+  const LogLinear field(random);
+  const TetMesh mesh = with_metric(test::grid(28), field);
+  const Target one = test::with_threads(1, [&] { return Target(mesh); });
+  const Target three = test::with_threads(3, [&] { return Target(mesh); });
+  std::uint32_t host = 0, other_host = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 x = {random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
+    EXPECT_EQ(one.at(x, host), three.at(x, other_host));
+    EXPECT_EQ(host, other_host);
   }
 }
 

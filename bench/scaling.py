@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+"""How one adaptation gets faster with threads, pass by pass, and what blocks cost.
+
+A planar shock in a cube, all sizes divided by DIVISOR, from a grid, and the result adapted once more to the same metric, evaluated
+anew. Efficiency is the time on one thread over threads times the time; idle is the share of a pass in which a thread waited
+for others. Every mesh must have the hash of the first. Then one thread again, with the mesh as a single block: cost is
+the time with blocks over the time without. Seconds are medians of RUNS runs; "all" is the whole process, files included.
+"""
+import argparse
+import collections
+import json
+import os
+import pathlib
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "examples"))
+import cases  # noqa: E402
+import fields  # noqa: E402
+import gmf  # noqa: E402
+
+PARALLEL = ["build", "geometry", "metric", "cut", "order", "result", "read", "write"]
+
+
+def adapt(taut, mesh, metric, out, threads, *options):
+    """The report of one run, with the seconds of the process as `all`."""
+    report = out.with_suffix(".json")
+    words = [taut, "adapt", mesh, "--metric", metric, "-o", out, "--report", report, "--quiet", "--threads", str(threads)]
+    began = time.monotonic()
+    subprocess.run([*words, *options], check=True)
+    took = time.monotonic() - began
+    return {"all": took, **json.loads(report.read_text())}
+
+
+def phases(report):
+    """Seconds by phase: each pass, their sum, what lies around them, the whole."""
+    seconds = collections.OrderedDict((p["name"], p["seconds"]) for p in report["passes"] if p["seconds"] > 0)
+    seconds["passes"] = sum(seconds.values())
+    seconds.update((name, report["seconds"][name]) for name in PARALLEL)
+    seconds["all"] = report["all"]
+    return seconds
+
+
+def idle(report):
+    """By pass, the share of the threads' time spent in waiting."""
+    shares = {}
+    for p in report["passes"]:
+        if p["seconds"] > 0:
+            shares[p["name"]] = 1 - p["busy_seconds"] / (report["threads"] * p["seconds"])
+    return shares
+
+
+def medians(reports):
+    lists = [phases(report) for report in reports]
+    return {name: statistics.median(seconds[name] for seconds in lists) for name in lists[0]}
+
+
+def check_hash(report, hashes):
+    hashes.add(report["hash"])
+    if len(hashes) > 1:
+        sys.exit(f"the mesh depends on the threads: hashes {hashes}")
+
+
+def print_row(threads, seconds, base, waits):
+    print(f"\n{threads} threads" if threads > 1 else "\n1 thread")
+    print(f"  {'phase':12}{'s':>9}{'speed-up':>10}{'efficiency':>12}{'idle':>8}")
+    for name, taken in seconds.items():
+        if base[name] < 1e-3:
+            continue
+        faster = base[name] / taken if taken > 0 else float("inf")
+        wait = f"{100 * waits[name]:7.1f}%" if name in waits else ""
+        print(f"  {name:12}{taken:9.3f}{faster:10.2f}{100 * faster / threads:11.1f}%{wait}", flush=True)
+
+
+def measure(taut, mesh, metric, out, counts, runs, block_size):
+    """Prints a table for each number of threads; returns the medians on one."""
+    base, hashes = None, set()
+    for threads in counts:
+        reports = [adapt(taut, mesh, metric, out, threads, "--block-size", block_size) for _ in range(runs)]
+        for report in reports:
+            check_hash(report, hashes)
+        seconds = medians(reports)
+        base = base or seconds
+        print_row(threads, seconds, base, idle(reports[-1]))
+    print(f"\n{reports[-1]['quality']['tetrahedra']:,} tetrahedra, {reports[-1]['blocks']} blocks in the last of"
+          f" {reports[-1]['rounds']} rounds, hash {hashes.pop()}")
+    for p in reports[-1]["passes"]:
+        print(f"  {p['name']:12}{p['tried']:>12,} tried{p['accepted']:>12,} accepted{p['put_off']:>12,} put off")
+    return base
+
+
+def print_cost(taut, mesh, metric, out, runs, base):
+    single = medians([adapt(taut, mesh, metric, out, 1, "--block-size", "0") for _ in range(runs)])
+    print(f"\none thread, blocks against one block: passes and cuts {base['passes'] + base['cut']:.2f} s against"
+          f" {single['passes'] + single['cut']:.2f} s, cost {(base['passes'] + base['cut']) / (single['passes'] + single['cut']):.2f};"
+          f" all {base['all']:.2f} s against {single['all']:.2f} s, cost {base['all'] / single['all']:.2f}", flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("taut")
+    parser.add_argument("--divisor", type=float, default=2.75, help="of all sizes; 2.75 gives a million tetrahedra")
+    parser.add_argument("--grid", type=int, default=20, help="boxes along a side of the start")
+    parser.add_argument("--threads", nargs="+", type=int, help="1, 2, 4 .. up to the cores by default; the first is the base")
+    parser.add_argument("--runs", type=int, default=3)
+    parser.add_argument("--block-size", default="16384")
+    options = parser.parse_args()
+    counts = options.threads or sorted({min(2**k, os.cpu_count()) for k in range(os.cpu_count().bit_length() + 1)})
+    with tempfile.TemporaryDirectory() as folder:
+        mesh, metric, out = (pathlib.Path(folder, name) for name in ("0.meshb", "0.solb", "1.meshb"))
+        gmf.write_mesh(mesh, cases.cube(options.grid, *cases.DOMAINS["shock"]))
+        for title in ("from the grid", "from the mesh before", "from that one, converged"):
+            print(f"\n== {title}")
+            gmf.write_metric(metric, fields.shock(gmf.read_mesh(mesh).points, options.divisor))
+            base = measure(options.taut, mesh, metric, out, counts, options.runs, options.block_size)
+            print_cost(options.taut, mesh, metric, out.with_name("single.meshb"), options.runs, base)
+            mesh.write_bytes(out.read_bytes())
+
+
+if __name__ == "__main__":
+    main()

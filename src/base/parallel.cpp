@@ -1,0 +1,51 @@
+// All that knows of oneTBB. Built without ThreadSanitizer, which would take the scheduler's hand-overs for races.
+#include "base/parallel.hpp"
+
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "taut/threads.hpp"
+
+namespace taut {
+
+int worker_count() {
+  return tbb::this_task_arena::max_concurrency();
+}
+
+namespace detail {
+
+// Each runner takes the next task when it is done with one: nobody waits while there is work. Isolated, so that a task
+// that waits for parallel work of its own, as a metric function may, does not begin another task of ours meanwhile.
+void run_tasks(std::size_t count, Call call, void* context) {
+  const auto runners = static_cast<int>(std::min(count, static_cast<std::size_t>(worker_count())));
+  std::atomic<std::size_t> next = 0;
+  const auto run = [&](int worker) {
+    for (std::size_t task = next++; task < count; task = next++) call(context, task, worker);
+  };
+  if (runners <= 1) {
+    run(0);
+    return;
+  }
+  tbb::this_task_arena::isolate([&] { tbb::parallel_for(0, runners, run, tbb::simple_partitioner{}); });
+}
+
+}  // namespace detail
+
+void on_threads(int threads, const std::function<void()>& work) {
+  if (threads == 0) {
+    work();
+    return;
+  }
+  std::optional<tbb::global_control> more;  // than cores, which oneTBB does not start unasked
+  if (threads > tbb::info::default_concurrency())
+    more.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
+  arena.execute([&] { work(); });
+}
+
+}  // namespace taut

@@ -1,0 +1,145 @@
+// Loops over several threads. What they compute does not depend on how many there are, nor on who does what when.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <mutex>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace taut {
+
+/// How many tasks run at a time at most; a loop's worker numbers are below it.
+[[nodiscard]] int worker_count();
+
+namespace detail {
+
+using Call = void (*)(void* context, std::size_t task, int worker);
+void run_tasks(std::size_t count, Call call, void* context);
+
+/// Keeps, of all exceptions, that of the first task: which one comes first in time is chance.
+class FirstFailure {
+public:
+  void keep(std::size_t task) {
+    const std::lock_guard lock(mutex_);
+    if (failure_ && task_ < task) return;
+    task_ = task;
+    failure_ = std::current_exception();
+  }
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+private:
+  std::mutex mutex_;
+  std::size_t task_ = 0;
+  std::exception_ptr failure_;
+};
+
+/// What the scheduler orders, said once more where ThreadSanitizer, which does not see into oneTBB, can read it.
+class Order {
+public:
+  void begin() { (void)done_.load(std::memory_order_acquire); }
+  void end() { done_.fetch_add(1, std::memory_order_release); }
+
+private:
+  std::atomic<std::size_t> done_ = 0;
+};
+
+}  // namespace detail
+
+/// Calls body(task, worker) once for each task below `count`, in any order and several at a time, but no two at a time
+/// with one worker number. Later tasks start later. Returns when all are done; if some threw, throws what the first of
+/// them did, the others having run.
+template <class Body>
+void for_each_task(std::size_t count, Body&& body) {
+  struct Context {
+    std::remove_reference_t<Body>& body;
+    detail::FirstFailure failure{};
+    detail::Order order{};
+  } context{body};
+  context.order.end();
+  detail::run_tasks(
+      count,
+      [](void* opaque, std::size_t task, int worker) {
+        auto& c = *static_cast<Context*>(opaque);
+        c.order.begin();
+        try {
+          c.body(task, worker);
+        } catch (...) {
+          c.failure.keep(task);
+        }
+        c.order.end();
+      },
+      &context);
+  context.order.begin();
+  context.failure.rethrow();
+}
+
+/// Parts of a range: their bounds depend on its length alone.
+struct Chunks {
+  std::size_t count, length;
+
+  explicit Chunks(std::size_t size, std::size_t chunk_length = std::size_t{1} << 14)
+      : count(size), length(chunk_length) {}
+  [[nodiscard]] std::size_t size() const { return (count + length - 1) / length; }
+  [[nodiscard]] std::size_t begin(std::size_t chunk) const { return chunk * length; }
+  [[nodiscard]] std::size_t end(std::size_t chunk) const { return chunk + 1 < size() ? begin(chunk + 1) : count; }
+};
+
+/// Calls body(i) for each i below `count`. Calls for different i must not touch the same memory.
+template <class Body>
+void for_each_index(std::size_t count, Body&& body) {
+  const Chunks chunks(count);
+  for_each_task(chunks.size(), [&](std::size_t chunk, int) {
+    for (std::size_t i = chunks.begin(chunk); i < chunks.end(chunk); ++i) body(i);
+  });
+}
+
+/// The sum over i of what add(sum, i) adds to a Sum{} of each chunk; the chunks' sums are joined by `sum += other` in
+/// their order.
+template <class Sum, class Add>
+[[nodiscard]] Sum sum_in_order(std::size_t count, Add&& add) {
+  const Chunks chunks(count);
+  std::vector<Sum> sums(chunks.size());
+  for_each_task(chunks.size(), [&](std::size_t chunk, int) {
+    Sum own{};
+    for (std::size_t i = chunks.begin(chunk); i < chunks.end(chunk); ++i) add(own, i);
+    sums[chunk] = std::move(own);
+  });
+  Sum total{};
+  for (const Sum& sum : sums) total += sum;
+  return total;
+}
+
+/// What add(list, i) appends to a list for each i of the chunks, ascending.
+template <class T, class Add>
+[[nodiscard]] std::vector<T> collect_in_order(Chunks chunks, Add&& add) {
+  std::vector<std::vector<T>> lists(chunks.size());
+  for_each_task(chunks.size(), [&](std::size_t chunk, int) {
+    std::vector<T> own;
+    for (std::size_t i = chunks.begin(chunk); i < chunks.end(chunk); ++i) add(own, i);
+    lists[chunk] = std::move(own);
+  });
+  std::vector<std::size_t> start(1, 0);
+  for (const auto& list : lists) start.push_back(start.back() + list.size());
+  std::vector<T> all(start.back());
+  for_each_task(lists.size(), [&](std::size_t chunk, int) {
+    std::copy(lists[chunk].begin(), lists[chunk].end(), all.begin() + static_cast<std::ptrdiff_t>(start[chunk]));
+  });
+  return all;
+}
+
+/// Those of 0 .. count - 1 that fulfil the condition, ascending.
+template <class Condition>
+[[nodiscard]] std::vector<std::uint32_t> indices_where(std::size_t count, Condition&& condition) {
+  return collect_in_order<std::uint32_t>(Chunks(count), [&](std::vector<std::uint32_t>& list, std::size_t i) {
+    if (condition(i)) list.push_back(static_cast<std::uint32_t>(i));
+  });
+}
+
+}  // namespace taut
