@@ -78,8 +78,9 @@ def print_row(threads, seconds, base, waits):
 def measure(taut, mesh, metric, out, counts, runs, block_size):
     """Prints a table for each number of threads; returns the medians on one."""
     base, hashes = None, set()
+    size_words = ["--block-size", block_size] if block_size else []
     for threads in counts:
-        reports = [adapt(taut, mesh, metric, out, threads, "--block-size", block_size) for _ in range(runs)]
+        reports = [adapt(taut, mesh, metric, out, threads, *size_words) for _ in range(runs)]
         for report in reports:
             check_hash(report, hashes)
         seconds = medians(reports)
@@ -106,7 +107,7 @@ def main():
     parser.add_argument("--grid", type=int, default=20, help="boxes along a side of the start")
     parser.add_argument("--threads", nargs="+", type=int, help="1, 2, 4 .. up to the cores by default; the first is the base")
     parser.add_argument("--runs", type=int, default=3)
-    parser.add_argument("--block-size", default="16384")
+    parser.add_argument("--block-size", help="default: taut's")
     options = parser.parse_args()
     counts = options.threads or sorted({min(2**k, os.cpu_count()) for k in range(os.cpu_count().bit_length() + 1)})
     with tempfile.TemporaryDirectory() as folder:

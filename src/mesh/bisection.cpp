@@ -7,6 +7,7 @@ namespace taut {
 namespace {
 
 constexpr std::size_t samples_per_part = 512;
+constexpr std::ptrdiff_t enough_samples = 1024;  // to choose a direction
 constexpr double golden = 0.6180339887498949;
 constexpr double sway = 0.16;  // of the share below a plane, about one half
 
@@ -49,15 +50,31 @@ Bisection::Bisection(const TetMesh& mesh, std::size_t part_size, unsigned round)
   split(samples.begin(), samples.end(), parts, 0, round);
 }
 
-Bisection::Plane Bisection::plane_across(const Vec3& normal, Samples begin, Samples middle, Samples end) {
+// Offset of the plane with a share of the samples below it.
+double Bisection::place(const Vec3& normal, double share, Samples begin, Samples end) {
   for (auto s = begin; s != end; ++s) s->along = dot(normal, s->x);
+  const auto middle = begin + std::max<std::ptrdiff_t>(1, std::lround(share * static_cast<double>(end - begin)));
   std::nth_element(begin, middle, end, [](const Sample& a, const Sample& b) { return a.along < b.along; });
-  const double offset = middle->along;
-  const auto crosses = [&](const Sample& s) {
-    const double distance = s.along - offset;
-    return distance * distance < quadratic_form(s.ball, normal);
-  };
-  return {normal, offset, std::count_if(begin, end, crosses)};
+  return middle->along;
+}
+
+// The normal of the plane that the fewest edges cross, judged by some of the samples.
+Vec3 Bisection::best_normal(double share, Samples begin, Samples end) {
+  const std::ptrdiff_t stride = (end - begin) / enough_samples + 1;
+  std::vector<Sample> some;
+  for (auto s = begin; end - s > 0; s += std::min(stride, end - s)) some.push_back(*s);
+  std::ptrdiff_t fewest = end - begin + 1;
+  Vec3 best = normals[0];
+  for (const Vec3& normal : normals) {
+    const double offset = place(normal, share, some.begin(), some.end());
+    const auto is_crossed = [&](const Sample& s) {
+      return (s.along - offset) * (s.along - offset) < quadratic_form(s.ball, normal);
+    };
+    const auto crossed = std::ranges::count_if(some, is_crossed);
+    if (crossed < fewest) best = normal;
+    fewest = std::min(fewest, crossed);
+  }
+  return best;
 }
 
 void Bisection::split(Samples begin, Samples end, std::uint32_t parts, unsigned depth, unsigned round) {
@@ -68,15 +85,11 @@ void Bisection::split(Samples begin, Samples end, std::uint32_t parts, unsigned 
     return;
   }
   const double share = share_below(round, depth);
-  const auto middle = begin + std::max<std::ptrdiff_t>(1, std::lround(share * static_cast<double>(end - begin)));
-  Plane best = plane_across(normals[0], begin, middle, end);
-  for (std::size_t i = 1; i < normals.size(); ++i) {
-    const Plane plane = plane_across(normals[i], begin, middle, end);
-    if (plane.crossed < best.crossed) best = plane;
-  }
-  const auto border = std::partition(begin, end, [&](const Sample& s) { return dot(best.normal, s.x) < best.offset; });
+  const Vec3 normal = best_normal(share, begin, end);
+  const double offset = place(normal, share, begin, end);
+  const auto border = std::partition(begin, end, [&](const Sample& s) { return s.along < offset; });
   const auto below = std::clamp(static_cast<std::uint32_t>(std::lround(share * parts)), 1U, parts - 1);
-  nodes_[at] = {false, 0, best.normal, best.offset};
+  nodes_[at] = {false, 0, normal, offset};
   split(begin, border, below, depth + 1, round);
   nodes_[at].above = static_cast<std::uint32_t>(nodes_.size());
   split(border, end, parts - below, depth + 1, round);

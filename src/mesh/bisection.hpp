@@ -36,13 +36,8 @@ private:
   };
   using Samples = std::vector<Sample>::iterator;
 
-  /// The plane in the direction of `normal` with so many samples below it: its offset, and how many edges may cross it.
-  struct Plane {
-    Vec3 normal{};
-    double offset = 0;
-    std::ptrdiff_t crossed = 0;
-  };
-  static Plane plane_across(const Vec3& normal, Samples begin, Samples middle, Samples end);
+  static double place(const Vec3& normal, double share, Samples begin, Samples end);
+  static Vec3 best_normal(double share, Samples begin, Samples end);
   void split(Samples begin, Samples end, std::uint32_t parts, unsigned depth, unsigned round);
 
   std::vector<Node> nodes_;
