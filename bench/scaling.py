@@ -2,8 +2,8 @@
 """How one adaptation gets faster with threads, pass by pass, and what blocks cost.
 
 A planar shock in a cube, all sizes divided by DIVISOR, from a grid, and the result adapted once more to the same metric, evaluated
-anew. Efficiency is the time on one thread over threads times the time; idle is the share of a pass in which a thread waited
-for others. Every mesh must have the hash of the first. Then one thread again, with the mesh as a single block: cost is
+anew. Efficiency is the time on one thread over threads times the time; idle is the share of a pass, in the last run, in which
+a thread waited for others. Every mesh must have the hash of the first. Then one thread again, with the mesh as a single block: cost is
 the time with blocks over the time without. Seconds are medians of RUNS runs; "all" is the whole process, files included.
 """
 import argparse
@@ -105,11 +105,12 @@ def main():
     parser.add_argument("taut")
     parser.add_argument("--divisor", type=float, default=2.75, help="of all sizes; 2.75 gives a million tetrahedra")
     parser.add_argument("--grid", type=int, default=20, help="boxes along a side of the start")
-    parser.add_argument("--threads", nargs="+", type=int, help="1, 2, 4 .. up to the cores by default; the first is the base")
+    parser.add_argument("--threads", nargs="+", type=int, help="beside 1; by default 2, 4 .. up to the cores")
     parser.add_argument("--runs", type=int, default=3)
     parser.add_argument("--block-size", help="default: taut's")
     options = parser.parse_args()
-    counts = options.threads or sorted({min(2**k, os.cpu_count()) for k in range(os.cpu_count().bit_length() + 1)})
+    counts = options.threads or [min(2**k, os.cpu_count()) for k in range(os.cpu_count().bit_length() + 1)]
+    counts = sorted({1, *counts})
     with tempfile.TemporaryDirectory() as folder:
         mesh, metric, out = (pathlib.Path(folder, name) for name in ("0.meshb", "0.solb", "1.meshb"))
         gmf.write_mesh(mesh, cases.cube(options.grid, *cases.DOMAINS["shock"]))

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "taut/threads.hpp"
+
 namespace taut::program {
 
 std::optional<double> number_in(std::string_view word) {
@@ -35,10 +37,10 @@ CLI::Validator count() {
 }
 
 void add_threads(CLI::App& command, int& threads) {
-  constexpr int most = 1024;
+  const auto fits = [](double x) { return x >= 0 && x <= most_threads && x == std::floor(x); };
   command.add_option("--threads", threads, "threads at most; 0 (the default): one a core. The result is the same")
       ->type_name("N")
-      ->check(number([](double x) { return x >= 0 && x <= most && x == std::floor(x); }, "a whole number, 0 to 1024"));
+      ->check(number(fits, fmt::format("a whole number, 0 to {}", most_threads)));
 }
 
 CLI::Validator word_or(std::string word, const CLI::Validator& other) {

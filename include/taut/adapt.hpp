@@ -24,7 +24,7 @@ enum class Surface {
 /// One round of the adaptation, as reported to the progress callback after each pass.
 struct Progress {
   int round = 0;
-  const char* pass = "";  ///< "insert", "collapse", "swap", "relocate"
+  const char* pass = "";  ///< "insert", "collapse", "swap", "repair", "relocate"
   std::size_t vertices = 0, tetrahedra = 0;
   std::size_t accepted = 0;  ///< operations done by this pass
 };
@@ -50,11 +50,11 @@ struct AdaptOptions {
 /// Operations of one kind over the whole run: how many were looked at, and what became of them.
 struct PassReport {
   std::string name;
-  std::size_t scanned = 0;                                   ///< tetrahedra, or vertices for relocation, looked at
+  std::size_t scanned = 0;                                   ///< tetrahedra of blocks, or vertices, looked at
   std::size_t tried = 0;                                     ///< operations proposed and judged
   std::size_t accepted = 0;                                  ///< operations done
   std::vector<std::pair<std::string, std::size_t>> refused;  ///< count by reason
-  std::size_t put_off = 0;  ///< left to another round: tetrahedra and operations that reach beyond one block
+  std::size_t put_off = 0;  ///< not tried in this round: what reaches beyond one block, or found no id left
   double seconds = 0;       ///< from the pass's beginnings to its ends
   double busy_seconds = 0;  ///< of all threads together: `threads` times `seconds` if none ever waits for another
 };

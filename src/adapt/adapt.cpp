@@ -38,7 +38,7 @@ public:
 private:
   struct Gain {
     double changed = 0;     ///< vertices made and removed, as a share of the tetrahedra
-    double efficiency = 0;  ///< of log tau, by relocation, had no vertex been put off
+    double efficiency = 0;  ///< of log tau, by moving vertices, had none been put off
   };
 
   // While the mesh still grows, swaps mend what is bad only: what is fair will change anyway. Then they follow every

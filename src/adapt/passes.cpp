@@ -92,14 +92,15 @@ Refusal split(Kernel& kernel, TetId t, const LongEdge& longest, InsertionRules r
 }  // namespace
 
 IdNeed needed_ids(Kernel& kernel) {
-  IdNeed need{few_ids, few_ids + kernel.block->tets.size() / 16, few_ids};
+  const Block& block = *kernel.block;
+  const auto is_due = [&](TetId t) { return !kernel.mesh.tets[t].all_tried(Trial::insertion, 6); };
   Splits splits;
-  const auto look_at = [&](TetId t) {
-    if (!kernel.mesh.tets[t].all_tried(Trial::insertion, 6)) splits.add(kernel, t, longest_edge(kernel, t));
-  };
-  for (std::size_t i = 0; i < kernel.block->tets.size(); ++i) look_at(kernel.block->tets[i]);
+  for (std::size_t i = 0; i < block.tets.size(); ++i)
+    if (is_due(block.tets[i])) splits.add(kernel, block.tets[i], longest_edge(kernel, block.tets[i]));
+  for (TetId t : block.shared_tets)  // measured where nobody else writes; they need no ids
+    if (is_due(t)) (void)longest_edge(kernel, t);
+  IdNeed need{few_ids, few_ids + block.tets.size() / 16, few_ids};
   need += splits.need();
-  for (TetId t : kernel.block->shared_tets) look_at(t);
   return need;
 }
 
@@ -118,7 +119,8 @@ void insertion_pass(Kernel& kernel, const InsertionRules& rules, std::vector<Tet
 
 void split_stuck(Kernel& kernel, const InsertionRules& rules, std::span<const TetId> stuck, Tally& tally) {
   Splits splits;
-  for (TetId t : stuck) splits.add(kernel, t, longest_edge(kernel, t));
+  for (TetId t : stuck)
+    if (kernel.mesh.tets[t].alive()) splits.add(kernel, t, longest_edge(kernel, t));
   IdNeed need{few_ids, few_ids, few_ids};
   need += splits.need();
   kernel.block->borrow(kernel.mesh, need);

@@ -1,4 +1,4 @@
-// The four passes of the adaptation loop (Dobrzynski and Frey 2008, 4.2), each over what has changed since it was last
+// The passes of the adaptation loop (Dobrzynski and Frey 2008, 4.2), each over what has changed since it was last
 // looked at.
 #pragma once
 

@@ -15,12 +15,6 @@
 #include "sizing/truncation.hpp"
 
 namespace taut {
-namespace {
-
-constexpr int most_threads = 1024;
-
-}  // namespace
-
 void require_options(const AdaptOptions& o) {
   if (!(o.hmin >= 0) || !(o.hmax > 0) || !(o.hmin <= o.hmax))
     throw InputError(fmt::format("hmin {}, hmax {} found, expected 0 <= hmin <= hmax, hmax > 0", o.hmin, o.hmax));
@@ -29,8 +23,6 @@ void require_options(const AdaptOptions& o) {
   if (!(o.ridge_angle > 0 && o.ridge_angle < 180))
     throw InputError(fmt::format("ridge angle {} found, expected between 0 and 180 degrees", o.ridge_angle));
   if (o.passes < 0) throw InputError(fmt::format("{} passes found, expected 0 or more", o.passes));
-  if (o.threads < 0 || o.threads > most_threads)
-    throw InputError(fmt::format("{} threads found, expected 0 to {}", o.threads, most_threads));
 }
 
 namespace {

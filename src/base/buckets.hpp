@@ -1,4 +1,4 @@
-// A counting sort in parallel, of more keys than group() in mesh/grouping.hpp is made for.
+// A counting sort in parallel by many keys, side by side in one array; base/grouping.hpp is for a few groups.
 #pragma once
 
 #include <algorithm>

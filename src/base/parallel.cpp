@@ -1,6 +1,7 @@
 // All that knows of oneTBB. Built without ThreadSanitizer, which would take the scheduler's hand-overs for races.
 #include "base/parallel.hpp"
 
+#include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "taut/error.hpp"
 #include "taut/threads.hpp"
 
 namespace taut {
@@ -19,13 +21,14 @@ int worker_count() {
 
 namespace detail {
 
-// Each runner takes the next task when it is done with one: nobody waits while there is work. Isolated, so that a task
-// that waits for parallel work of its own, as a metric function may, does not begin another task of ours meanwhile.
+// Each runner takes the next task when it is done with one: nobody waits while there is work. Each task is isolated, so
+// that one that waits for parallel work of its own, as a metric function may, does not begin another meanwhile.
 void run_tasks(std::size_t count, Call call, void* context) {
   const auto runners = static_cast<int>(std::min(count, static_cast<std::size_t>(worker_count())));
   std::atomic<std::size_t> next = 0;
   const auto run = [&](int worker) {
-    for (std::size_t task = next++; task < count; task = next++) call(context, task, worker);
+    for (std::size_t task = next++; task < count; task = next++)
+      tbb::this_task_arena::isolate([&] { call(context, task, worker); });
   };
   if (runners <= 1) {
     run(0);
@@ -37,6 +40,8 @@ void run_tasks(std::size_t count, Call call, void* context) {
 }  // namespace detail
 
 void on_threads(int threads, const std::function<void()>& work) {
+  if (threads < 0 || threads > most_threads)
+    throw InputError(fmt::format("{} threads found, expected 0 to {}", threads, most_threads));
   if (threads == 0) {
     work();
     return;

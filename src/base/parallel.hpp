@@ -40,14 +40,18 @@ private:
   std::exception_ptr failure_;
 };
 
-/// What the scheduler orders, said once more where ThreadSanitizer, which does not see into oneTBB, can read it.
-class Order {
+/// That a loop's tasks come after its beginning and before its end, said once more where ThreadSanitizer, which does
+/// not see into oneTBB, can read it. Nothing is said of one task and another.
+class ForkAndJoin {
 public:
-  void begin() { (void)done_.load(std::memory_order_acquire); }
-  void end() { done_.fetch_add(1, std::memory_order_release); }
+  void fork() { started_.store(true, std::memory_order_release); }
+  void begin_task() { (void)started_.load(std::memory_order_acquire); }
+  void end_task() { ended_.fetch_add(1, std::memory_order_release); }
+  void join() { (void)ended_.load(std::memory_order_acquire); }
 
 private:
-  std::atomic<std::size_t> done_ = 0;
+  std::atomic<bool> started_ = false;
+  std::atomic<std::size_t> ended_ = 0;
 };
 
 }  // namespace detail
@@ -60,23 +64,23 @@ void for_each_task(std::size_t count, Body&& body) {
   struct Context {
     std::remove_reference_t<Body>& body;
     detail::FirstFailure failure{};
-    detail::Order order{};
+    detail::ForkAndJoin order{};
   } context{body};
-  context.order.end();
+  context.order.fork();
   detail::run_tasks(
       count,
       [](void* opaque, std::size_t task, int worker) {
         auto& c = *static_cast<Context*>(opaque);
-        c.order.begin();
+        c.order.begin_task();
         try {
           c.body(task, worker);
         } catch (...) {
           c.failure.keep(task);
         }
-        c.order.end();
+        c.order.end_task();
       },
       &context);
-  context.order.begin();
+  context.order.join();
   context.failure.rethrow();
 }
 

@@ -66,7 +66,7 @@ private:
     core_ = k_.cavity.tets.size();
   }
 
-  // False if a tetrahedron that is not the block's is in conflict too. Its vertices stay where they are in this pass.
+  // False if a tetrahedron that is not the block's is in conflict too. Its vertices stay where they are.
   bool grow() {
     TetSet& tets = k_.cavity.tets;
     k_.spared.clear();

@@ -34,7 +34,7 @@ struct Kernel {
   Shell shell{};
   FaceBatch batch{};           ///< of the candidates of a swap, or the ball of a relocation
   VertexBatch neighbours{};    ///< of a vertex to be relocated
-  double efficiency_gain = 0;  ///< sum over the edges moved by relocation of what they add to the mean of eq. (2)
+  double efficiency_gain = 0;  ///< sum over the edges of moved vertices of what they add to the mean of eq. (2)
   SmallMap<256> spared{};      ///< tetrahedra found not to be in conflict with a new vertex
 
   [[nodiscard]] double length(VertexId a, VertexId b) const {

@@ -36,9 +36,12 @@ public:
   [[nodiscard]] std::int64_t word() { return header<std::int32_t>(); }
 
   void expect(std::size_t entities, Row row) const {
-    const std::size_t bytes = row.reals * sizeof(Real) + row.integers * sizeof(Int);
-    if (entities > left() / bytes) fail_short(entities);
+    if (entities > left() / bytes_of(row)) fail_short(entities);
   }
+
+  /// Where a row begins is known without reading those before it.
+  static constexpr bool can_skip = true;
+  void skip(std::size_t rows, Row row) { at_ += rows * bytes_of(row); }
 
   [[nodiscard]] std::int64_t integer() { return take<Int>(); }
   [[nodiscard]] double real() { return take<Real>(); }
@@ -47,6 +50,8 @@ public:
   void finish() const {}
 
 private:
+  static constexpr std::size_t bytes_of(Row row) { return row.reals * sizeof(Real) + row.integers * sizeof(Int); }
+
   template <class T>
   T take() {
     const T value = load<T, swapped>(at_);

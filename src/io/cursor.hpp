@@ -14,6 +14,7 @@ namespace taut::gmf {
 ///   word()          a number of the block's header
 ///   expect(n, row)  throws if n such rows cannot be in the block; to be called before memory is taken for them
 ///   integer(), real()
+///   can_skip, and if true skip(n, row)
 ///   finish()        throws if the block holds more
 class Cursor {
 public:

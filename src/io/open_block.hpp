@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/parallel.hpp"
 #include "io/binary_cursor.hpp"
 #include "io/text_cursor.hpp"
 
@@ -38,6 +39,29 @@ void read_block(const GmfFile& file, const Block& block, Read&& read) {
         in.finish();
       },
       any);
+}
+
+/// Calls read(cursor, i) for each row i below `count`: concurrently, where rows can be found without reading those
+/// before.
+template <class In, class Read>
+void for_each_row(In& in, std::size_t count, Row row, const Read& read) {
+  const auto read_rows = [&read](In& from, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      from.row(i);
+      read(from, i);
+    }
+  };
+  if constexpr (In::can_skip) {
+    const Chunks chunks(count);
+    for_each_task(chunks.size(), [&](std::size_t chunk, int) {
+      In part = in;
+      part.skip(chunks.begin(chunk), row);
+      read_rows(part, chunks.begin(chunk), chunks.end(chunk));
+    });
+    in.skip(count, row);
+  } else {
+    read_rows(in, 0, count);
+  }
 }
 
 /// The next real, which must be finite: one that is not would spoil everything computed from it.

@@ -33,31 +33,27 @@ template <class In, class Points, class Refs>
 void read_rows(In& in, std::size_t count, const PointRows<Points, Refs>& rows) {
   rows.points.resize(count);
   rows.refs.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    in.row(i);
-    for (double& x : rows.points[i]) x = finite(in);
-    rows.refs[i] = read_ref(in);
-  }
+  for_each_row(in, count, rows.row, [&](In& from, std::size_t i) {
+    for (double& x : rows.points[i]) x = finite(from);
+    rows.refs[i] = read_ref(from);
+  });
 }
 
 template <class In, class Elements, class Refs>
 void read_rows(In& in, std::size_t count, const ElementRows<Elements, Refs>& rows) {
   rows.elements.resize(count);
   rows.refs.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    in.row(i);
-    for (Index& vertex : rows.elements[i]) vertex = read_index(in, rows.limit, "vertex");
-    rows.refs[i] = read_ref(in);
-  }
+  for_each_row(in, count, rows.row, [&](In& from, std::size_t i) {
+    for (Index& vertex : rows.elements[i]) vertex = read_index(from, rows.limit, "vertex");
+    rows.refs[i] = read_ref(from);
+  });
 }
 
 template <class In, class Indices>
 void read_rows(In& in, std::size_t count, const IndexRows<Indices>& rows) {
   rows.indices.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    in.row(i);
-    rows.indices[i] = read_index(in, rows.limit, rows.what);
-  }
+  for_each_row(in, count, rows.row,
+               [&](In& from, std::size_t i) { rows.indices[i] = read_index(from, rows.limit, rows.what); });
 }
 
 void refuse_foreign_elements(const GmfFile& file) {

@@ -25,15 +25,14 @@ std::vector<Field> read_kinds(In& in) {
 }
 
 template <class In>
-void read_values(In& in, std::size_t count, std::vector<Field>& fields) {
+void read_values(In& in, std::size_t count, Row row, std::vector<Field>& fields) {
   for (Field& field : fields) field.values.resize(count * field.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    in.row(i);
+  for_each_row(in, count, row, [&](In& from, std::size_t i) {
     for (Field& field : fields) {
       double* values = &field.values[i * field.size()];
-      for (const std::size_t place : places(field)) values[place] = finite(in);
+      for (const std::size_t place : places(field)) values[place] = finite(from);
     }
-  }
+  });
 }
 
 Metric metric_of(Field&& field, const GmfFile& file) {
@@ -54,8 +53,9 @@ std::vector<Field> read_fields(const GmfFile& file) {
   read_block(file, file.require(Code::solution), [&](auto& in) {
     const std::size_t count = in.count();
     fields = read_kinds(in);
-    in.expect(count, {.reals = values_of_a_vertex(fields), .integers = 0});
-    read_values(in, count, fields);
+    const Row row{.reals = values_of_a_vertex(fields), .integers = 0};
+    in.expect(count, row);
+    read_values(in, count, row, fields);
   });
   return fields;
 }

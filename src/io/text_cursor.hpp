@@ -36,6 +36,7 @@ constexpr const char* token_end(const char* at, const char* end) {
 class TextCursor : public Cursor {
 public:
   using Cursor::Cursor;
+  static constexpr bool can_skip = false;
 
   [[nodiscard]] std::size_t count() { return checked_count(integer()); }
   [[nodiscard]] std::int64_t word() { return integer(); }

@@ -2,18 +2,19 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <limits>
 #include <utility>
 
+#include "base/grouping.hpp"
 #include "base/parallel.hpp"
 #include "mesh/bisection.hpp"
-#include "mesh/grouping.hpp"
 
 namespace taut {
 namespace {
 
 constexpr std::uint32_t nobody = none;
-constexpr std::size_t most_blocks = std::numeric_limits<std::uint16_t>::max();
+constexpr std::size_t most_blocks = std::numeric_limits<std::uint16_t>::max();  // that number itself is nobody's
 
 // Marks of several workers on one vertex are the same mark.
 void mark(std::uint8_t& flag) {
@@ -23,6 +24,7 @@ void mark(std::uint8_t& flag) {
 }  // namespace
 
 void Blocks::cut(std::size_t block_size, unsigned round) {
+  assert(blocks_.empty());
   assign_vertices(block_size, round);
   assign_tets();
 }

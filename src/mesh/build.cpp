@@ -19,8 +19,7 @@ void add_vertices(const Mesh& input, Built& built) {
   const auto used = indices_where(input.points.size(), [&](std::size_t p) { return tet_of_point[p] != none; });
   built.vertex_of_point.assign(input.points.size(), none);
   TetMesh& mesh = built.mesh;
-  IdPool ids;  // 0 to used.size() - 1
-  mesh.lend_vertices(used.size(), ids);
+  mesh.resize_vertices(used.size());
   for_each_index(used.size(), [&](std::size_t i) {
     const auto v = static_cast<VertexId>(i);
     mesh.put_vertex(v, {input.points[used[v]], {}}, {}, none);

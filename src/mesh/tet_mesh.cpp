@@ -51,43 +51,6 @@ void TetMesh::put_vertex(VertexId v, const Vertex& vertex, Tag tag, std::uint32_
   drift[v] = 0;
 }
 
-VertexId TetMesh::add_vertex(const Vertex& vertex, Tag tag, std::uint32_t host) {
-  if (free_vertices_.empty()) {
-    free_vertices_.push_back(static_cast<VertexId>(vertices.size()));
-    resize_vertices(vertices.size() + 1);
-  }
-  const VertexId v = pop(free_vertices_);
-  put_vertex(v, vertex, tag, host);
-  return v;
-}
-
-TetId TetMesh::add_tet() {
-  if (!free_tets_.empty()) return pop(free_tets_);
-  resize_tets(tets.size() + 1);
-  return static_cast<TetId>(tets.size() - 1);
-}
-
-TriangleId TetMesh::add_triangle() {
-  if (!free_triangles_.empty()) return pop(free_triangles_);
-  triangles.emplace_back();
-  return static_cast<TriangleId>(triangles.size() - 1);
-}
-
-void TetMesh::remove_vertex(VertexId v) {
-  tet_of_vertex[v] = none;
-  free_vertices_.push_back(v);
-}
-
-void TetMesh::remove_tet(TetId t) {
-  tets[t].v[0] = none;
-  free_tets_.push_back(t);
-}
-
-void TetMesh::remove_triangle(TriangleId t) {
-  triangles[t].v[0] = none;
-  free_triangles_.push_back(t);
-}
-
 void TetMesh::lend_vertices(std::size_t count, IdPool& to) {
   const std::size_t fresh = lend(free_vertices_, vertices.size(), count, to);
   resize_vertices(vertices.size() + fresh);

@@ -136,12 +136,9 @@ public:
 
   /// Fills the record of a dead vertex, which becomes alive when a tetrahedron of it is known.
   void put_vertex(VertexId v, const Vertex& vertex, Tag tag, std::uint32_t host);
-  VertexId add_vertex(const Vertex& vertex, Tag tag, std::uint32_t host);
-  TetId add_tet();
-  TriangleId add_triangle();
-  void remove_vertex(VertexId v);
-  void remove_tet(TetId t);
-  void remove_triangle(TriangleId t);
+
+  /// All arrays of vertices at once; new ones are dead.
+  void resize_vertices(std::size_t count);
 
   /// Adds so many dead ids to a pool, free ones first; the arrays grow by the others. Until take_back() the counts
   /// above include what the pools have not used.
@@ -158,7 +155,6 @@ public:
   }
 
 private:
-  void resize_vertices(std::size_t count);
   void resize_tets(std::size_t count);
 
   std::vector<VertexId> free_vertices_;

@@ -1,4 +1,10 @@
 // The same bits, whoever does the work: on any number of threads, in debug and in release, watched or not.
+#include <oneapi/tbb/task_arena.h>
+
+#include <set>
+#include <stdexcept>
+#include <tuple>
+
 #include "adapt/checks.hpp"
 #include "adapt/fields.hpp"
 
@@ -78,6 +84,73 @@ TEST_P(Determinism, SameBits) {
   EXPECT_GT(result.report.blocks, 2);
   EXPECT_EQ(calls > 0, threads % 2 == 1);
   EXPECT_EQ(result.report.hash, run.hash) << "HASH " << run.name << " 0x" << std::hex << result.report.hash;
+}
+
+// The hash is of points, tetrahedra and triangles.
+TEST(Threads, LeaveNoTraceInTheResult) {
+  Case run = cases()[9];
+  run.mesh.required_tetrahedra = {5, 100};
+  run.mesh.required_triangles = {3};
+  run.mesh.corners = {0};
+  run.options.block_size = 150;
+  run.options.threads = 1;
+  const AdaptResult one = adapt(run.mesh, run.metric, run.options);
+  run.options.threads = 3;
+  const AdaptResult three = adapt(run.mesh, run.metric, run.options);
+  const auto all_of = [](const Mesh& m) {
+    return std::tie(m.points, m.point_refs, m.tetrahedra, m.tetrahedron_refs, m.triangles, m.triangle_refs, m.edges,
+                    m.edge_refs, m.corners, m.ridges, m.required_points, m.required_edges, m.required_triangles,
+                    m.required_tetrahedra);
+  };
+  EXPECT_EQ(all_of(one.mesh), all_of(three.mesh));
+  EXPECT_EQ(one.metric, three.metric);
+  EXPECT_EQ(one.new_of_old, three.new_of_old);
+  ASSERT_EQ(one.report.passes.size(), three.report.passes.size());
+  for (std::size_t i = 0; i < one.report.passes.size(); ++i) {
+    const PassReport &a = one.report.passes[i], &b = three.report.passes[i];
+    EXPECT_EQ(std::tie(a.name, a.scanned, a.tried, a.accepted, a.refused, a.put_off),
+              std::tie(b.name, b.scanned, b.tried, b.accepted, b.refused, b.put_off));
+  }
+  EXPECT_EQ(one.report.rounds, three.report.rounds);
+  EXPECT_EQ(one.report.blocks, three.report.blocks);
+  EXPECT_EQ(one.report.quality.tau, three.report.quality.tau);
+}
+
+TEST(Threads, MayBeManyBlocksOfNextToNothing) {
+  const Mesh mesh = test::cube(4);  // many equal coordinates: blocks may be empty
+  std::set<std::uint64_t> hashes;
+  for (const int threads : {1, 3}) {
+    const AdaptResult result = adapt(mesh, test::uniform(0.2), {.passes = 4, .threads = threads, .block_size = 1});
+    test::expect_faithful(result, mesh);
+    EXPECT_GT(result.report.blocks, 50);
+    hashes.insert(result.report.hash);
+  }
+  EXPECT_EQ(hashes.size(), 1);
+}
+
+TEST(Threads, AreThoseOfTheCallersArena) {
+  const Case run = cases()[0];
+  for (const int threads : {1, 2}) {
+    oneapi::tbb::task_arena arena(threads);
+    arena.execute([&] {
+      const AdaptResult result = adapt(run.mesh, run.metric, {.passes = 1});
+      EXPECT_EQ(result.report.threads, threads);
+      EXPECT_EQ(adapt(run.mesh, run.metric, {.passes = 1, .threads = 3}).report.threads, 3) << "unless asked for";
+      EXPECT_EQ(adapt(run.mesh, run.metric, {.passes = 1, .threads = 3}).report.hash, result.report.hash);
+    });
+  }
+}
+
+TEST(Threads, AnErrorOfTheMetricComesThrough) {
+  const auto fails = [](const Point& p) -> Tensor {
+    if (p[0] > 0.5 && p[0] < 0.51) throw std::runtime_error("no metric there");
+    return {400, 0, 0, 400, 0, 400};
+  };
+  AdaptOptions options{.block_size = 200};
+  for (const int threads : {1, 3}) {
+    options.threads = threads;
+    EXPECT_THROW((void)adapt(test::cube(5), fails, options), std::runtime_error);
+  }
 }
 
 }  // namespace

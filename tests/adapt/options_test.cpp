@@ -1,6 +1,8 @@
 // What the options, the callback and the report promise.
 #include <cmath>
 
+#include <set>
+
 #include "adapt/checks.hpp"
 #include "adapt/fields.hpp"
 
@@ -140,7 +142,7 @@ TEST(Adapt, NoPassesChangeNothing) {
 }
 
 TEST(Adapt, TheCallbackSeesEveryPassAndItsCountsAddUp) {
-  AdaptOptions options;
+  AdaptOptions options{.block_size = 60};
   std::size_t accepted = 0, vertices = 0, tetrahedra = 0;
   int last_round = 0;
   options.progress = [&](const Progress& p) {
@@ -169,7 +171,8 @@ TEST(Adapt, TheCallbackSeesEveryPassAndItsCountsAddUp) {
   const std::size_t gone = mesh.points.size() + inserted - result.mesh.points.size();
   EXPECT_GE(gone, collapsed);
   EXPECT_LE(gone, collapsed + repaired) << "some repairs are collapses";
-  const AdaptResult silent = adapt(mesh, test::uniform(0.15));
+  options.progress = {};
+  const AdaptResult silent = adapt(mesh, test::uniform(0.15), options);
   EXPECT_EQ(silent.report.hash, result.report.hash) << "looking on changes nothing";
 }
 
@@ -178,13 +181,18 @@ TEST(Adapt, CancellingGivesBackAValidMesh) {
   test::jitter(mesh, 0.04, 1);
   mesh.required_tetrahedra = {5};
   for (int after = 1; after <= 9; ++after) {
-    AdaptOptions options;
-    int calls = 0;
-    options.progress = [&](const Progress&) { return ++calls < after; };
-    const auto result = adapt(mesh, test::patchwork(0.6, 1), options);
-    EXPECT_TRUE(result.report.cancelled);
-    EXPECT_EQ(calls, after) << "called again though it said no";
-    test::expect_faithful(result, mesh);
+    std::set<std::uint64_t> hashes;
+    for (const int threads : {1, 3}) {
+      AdaptOptions options{.threads = threads, .block_size = 60};
+      int calls = 0;
+      options.progress = [&](const Progress&) { return ++calls < after; };
+      const auto result = adapt(mesh, test::patchwork(0.6, 1), options);
+      EXPECT_TRUE(result.report.cancelled);
+      EXPECT_EQ(calls, after) << "called again though it said no";
+      test::expect_faithful(result, mesh);
+      hashes.insert(result.report.hash);
+    }
+    EXPECT_EQ(hashes.size(), 1);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "taut/error.hpp"
 #include "taut/threads.hpp"
 
 namespace taut {
@@ -157,6 +158,11 @@ TEST(OnThreads, LetsExceptionsThrough) {
     EXPECT_THROW(on_threads(threads, from_a_task), std::out_of_range);
     EXPECT_EQ(worker_count(), outside);
   }
+}
+
+TEST(OnThreads, RefusesImpossibleNumbers) {
+  for (const int threads : {-1, most_threads + 1})
+    EXPECT_THROW(on_threads(threads, [] { ADD_FAILURE(); }), InputError) << threads;
 }
 
 }  // namespace

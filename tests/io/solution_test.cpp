@@ -1,7 +1,10 @@
 // Fields and metrics: the order of tensors, all versions, and what is refused.
 #include <cmath>
 
+#include <limits>
+
 #include "io/gmf_builder.hpp"
+#include "taut/threads.hpp"
 
 namespace taut::test {
 namespace {
@@ -118,6 +121,26 @@ TEST(ReadMetric, ReadsTheSameFromDisk) {
       {1, 0.5, 0, 2, 0, 3}, {4, 0, 0.25, 5, 0, 6}, {7, 0, 0, 8, 0.125, 9}, {1, 0, 0, 1, 0, 1}, {1e6, 0, 0, 1, 0, 1e-3}};
   EXPECT_EQ(std::get<Tensors>(read_metric(data / "two_tets.sol")), expected);
   EXPECT_EQ(std::get<Tensors>(read_metric(data / "two_tets.solb")), expected);
+}
+
+// Long enough for several threads to read it.
+TEST(ReadMetric, OnAnyNumberOfThreads) {
+  std::vector<double> sizes(100000);
+  for (std::size_t i = 0; i < sizes.size(); ++i) sizes[i] = 1 + static_cast<double>(i);
+  const auto file_of = [](const std::vector<double>& values) {
+    GmfBuilder builder(2);
+    builder.dimension().block(62, static_cast<std::int64_t>(values.size())).word(1).word(1).reals(values);
+    return binary_file(builder.end());
+  };
+  auto spoilt = sizes;
+  spoilt[40000] = spoilt[90000] = std::numeric_limits<double>::quiet_NaN();
+  for (const int threads : {1, 3}) {
+    on_threads(threads, [&] {
+      EXPECT_EQ(std::get<Sizes>(gmf::read_metric(file_of(sizes))), sizes);
+      EXPECT_EQ(message_of<InputError>([&] { (void)gmf::read_metric(file_of(spoilt)); }),
+                "wing.solb: SolAtVertices 40001: finite number expected, found infinity or not-a-number");
+    });
+  }
 }
 
 }  // namespace

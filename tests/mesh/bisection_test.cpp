@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/block.hpp"
 #include "mesh/metric_grid.hpp"
 
 namespace taut {
@@ -53,10 +54,10 @@ TEST(Bisection, PutsEveryPointOfSpaceIntoAPart) {
 TEST(Bisection, DependsOnTheLivingOnly) {
   TetMesh mesh = test::metric_grid(6);
   const Bisection before(mesh, 40, 2);
-  for (int i = 0; i < 100; ++i) mesh.remove_vertex(mesh.add_vertex({{9, 9, 9}, identity3}, {}, 0));
-  IdPool lent, no_tets, no_triangles;
-  mesh.lend_vertices(200, lent);
-  mesh.take_back(lent, no_tets, no_triangles);
+  Block block;
+  block.borrow(mesh, {.vertices = 200});
+  for (int i = 0; i < 100; ++i) block.remove_vertex(mesh, block.add_vertex(mesh, {{9, 9, 9}, identity3}, {}, 0));
+  block.give_back(mesh);
   const Bisection after(mesh, 40, 2);
   EXPECT_EQ(after.parts(), before.parts());
   for (VertexId v = 0; v < mesh.vertices.size(); ++v)

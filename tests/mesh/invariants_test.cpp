@@ -4,6 +4,7 @@
 
 #include "mesh/build.hpp"
 #include "mesh/shapes.hpp"
+#include "mesh/whole_block.hpp"
 
 namespace taut {
 namespace {
@@ -87,7 +88,7 @@ TEST(Invariants, OfTriangles) {
       "of the triangle");
   expect_found([](TetMesh& m) { m.triangles[interface_triangle(m)].side[1] = outside; }, "");
   expect_found([](TetMesh& m) { m.triangles[1].side[0] = m.triangles[2].side[0]; }, "");
-  expect_found([](TetMesh& m) { m.remove_triangle(4); }, "dead");
+  expect_found([](TetMesh& m) { test::change_whole(m, [&](Block& b) { b.remove_triangle(m, 4); }); }, "dead");
 }
 
 TEST(Invariants, OfRegions) {
@@ -109,24 +110,33 @@ TEST(Invariants, OfVertices) {
         m.tet_of_vertex[4] = t;
       },
       "which lacks it");
-  expect_found([](TetMesh& m) { m.remove_vertex(4); }, "dead");
+  expect_found([](TetMesh& m) { test::change_whole(m, [&](Block& b) { b.remove_vertex(m, 4); }); }, "dead");
   expect_found([](TetMesh& m) { m.tets[3].v[2] = 1000; }, "");
 }
 
 TEST(Invariants, OfTheDead) {
-  expect_found([](TetMesh& m) { m.tet_of_vertex[m.add_vertex({}, {}, 0)] = m.add_tet(); }, "", true);
-  expect_found([](TetMesh& m) { m.remove_tet(m.add_tet()), m.tets.back().v = m.tets[0].v; }, "tetrahedra", true);
-  expect_found([](TetMesh& m) { m.remove_triangle(m.add_triangle()), m.triangles.pop_back(); }, "triangles", false);
+  const auto give_dead_tet = [](TetMesh& m) {
+    test::change_whole(m, [&](Block& b) { m.tet_of_vertex[b.add_vertex(m, {}, {}, 0)] = b.tets.take(); });
+  };
+  expect_found(give_dead_tet, "", true);
+  const auto add_free = [](TetMesh& m, const IdNeed& ids) {
+    Block whole;
+    whole.borrow(m, ids);
+    whole.give_back(m);
+  };
+  expect_found([&](TetMesh& m) { add_free(m, {.tets = 1}), m.tets.back().v = m.tets[0].v; }, "tetrahedra", true);
+  expect_found([&](TetMesh& m) { add_free(m, {.triangles = 1}), m.triangles.pop_back(); }, "triangles", false);
   expect_found([](TetMesh& m) { m.drift.pop_back(); }, "arrays of vertices", false);
   expect_found([](TetMesh& m) { m.region_of_tet.push_back(0); }, "arrays of tetrahedra", false);
 }
 
 TEST(Invariants, AllowTheDead) {
   TetMesh mesh = sound();
-  const VertexId v = mesh.add_vertex({}, {}, 0);
-  mesh.remove_vertex(v);
-  mesh.remove_tet(mesh.add_tet());
-  mesh.remove_triangle(mesh.add_triangle());
+  test::change_whole(mesh, [&](Block& block) {
+    block.remove_vertex(mesh, block.add_vertex(mesh, {}, {}, 0));
+    block.remove_tet(mesh, block.tets.take());
+    block.remove_triangle(mesh, block.triangles.take());
+  });
   EXPECT_EQ(first_broken_invariant(mesh), "");
 }
 

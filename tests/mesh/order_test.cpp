@@ -9,6 +9,7 @@
 #include "mesh/hilbert.hpp"
 #include "mesh/invariants.hpp"
 #include "mesh/shapes.hpp"
+#include "mesh/whole_block.hpp"
 #include "taut/threads.hpp"
 
 namespace taut {
@@ -49,13 +50,15 @@ TEST(HilbertOrder, TiesKeepTheirOrder) {
 
 // Dead entities, some of them between living ones.
 void wear(TetMesh& mesh) {
-  for (VertexId& v : mesh.tets.emplace_back().v) v = none;
-  mesh.region_of_tet.push_back(0);
-  mesh.remove_tet(static_cast<TetId>(mesh.tets.size() - 1));
-  const VertexId a = mesh.add_vertex({}, {}, 0), b = mesh.add_vertex({}, {}, 0);
-  mesh.remove_vertex(a);
-  mesh.remove_vertex(b);
-  mesh.remove_triangle(mesh.add_triangle());
+  VertexId a = none, b = none;
+  test::change_whole(mesh, [&](Block& block) {
+    block.remove_tet(mesh, block.tets.take());
+    a = block.add_vertex(mesh, {}, {}, 0);
+    b = block.add_vertex(mesh, {}, {}, 0);
+    block.remove_vertex(mesh, a);
+    block.remove_vertex(mesh, b);
+    block.remove_triangle(mesh, block.triangles.take());
+  });
   const TetId last = static_cast<TetId>(mesh.tets.size() - 2);
   // The last living tetrahedron changes places with the dead one behind it.
   std::swap(mesh.tets[last], mesh.tets[last + 1]);
@@ -106,7 +109,7 @@ TEST(Reorder, KeepsTheMeshAndDropsTheDead) {
 // Every other tetrahedron gone, as far as reorder() is concerned.
 TetMesh with_gaps() {
   TetMesh mesh = build(test::grid(28)).mesh;
-  for (TetId t = 0; t < mesh.tets.size(); t += 2) mesh.remove_tet(t);
+  for (TetId t = 0; t < mesh.tets.size(); t += 2) mesh.tets[t].v[0] = none;
   for (VertexId v = 0; v < mesh.vertices.size(); ++v) mesh.tet_of_vertex[v] |= 1U;
   for (VertexId v = 0; v < mesh.vertices.size(); v += 5) mesh.host_of_vertex[v] = v;
   return mesh;

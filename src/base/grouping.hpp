@@ -1,7 +1,8 @@
-// A counting sort in parallel.
+// A counting sort in parallel into a few groups, each an array of its own; base/buckets.hpp is for many keys.
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "base/parallel.hpp"
