@@ -38,7 +38,7 @@ public:
 private:
   struct Gain {
     double changed = 0;     ///< vertices made and removed, as a share of the tetrahedra
-    double efficiency = 0;  ///< of log tau, by moving vertices, had none been put off
+    double efficiency = 0;  ///< of log tau, by moving vertices
   };
 
   // While the mesh still grows, swaps mend what is bad only: what is fair will change anyway. Then they follow every
@@ -56,10 +56,7 @@ private:
     if (!grows) pass(done.repair, [&] { passes_.repair({}); });
     pass(done.relocation, [&] { passes_.relocate({}); });
     passes_.close();
-    const auto due = static_cast<double>(done.relocation.scanned() - before.relocation.scanned());
-    const auto put_off = static_cast<double>(done.relocation.put_off() - before.relocation.put_off());
-    const double gained = (done.efficiency_gain - before.efficiency_gain) / (edges_per_tet_ * tets);
-    return {changed, put_off < due ? gained * due / (due - put_off) : gained};
+    return {changed, (done.efficiency_gain - before.efficiency_gain) / (edges_per_tet_ * tets)};
   }
 
   // While the mesh grows order is restored now and then, and once more for the long rounds in which it grows no longer.

@@ -1,5 +1,9 @@
 #include "adapt/block_passes.hpp"
 
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
 #include "base/parallel.hpp"
 
 namespace taut {
@@ -9,10 +13,12 @@ BlockPasses::BlockPasses(Problem& problem, std::size_t block_size)
   for (int i = 0; i < worker_count(); ++i) kernels_.push_back(Kernel{problem.mesh, problem.model, *problem.target});
 }
 
-// Calls body(kernel, b) for each block b, with the kernel set to work on it.
+// Calls body(kernel, b) for each block b, with the kernel set to work on it. The largest begin first, lest one of them
+// be waited for in the end.
 template <class Body>
 void BlockPasses::for_each_block(Body body) {
-  for_each_task(blocks_.size(), [&](std::size_t b, int worker) {
+  for_each_task(blocks_.size(), [&](std::size_t i, int worker) {
+    const std::size_t b = largest_first_[i];
     Kernel& kernel = kernels_[static_cast<std::size_t>(worker)];
     kernel.block = &blocks_[b];
     body(kernel, b);
@@ -40,6 +46,9 @@ void BlockPasses::cut() {
   blocks_.cut(block_size_, cuts_++);
   block_count_ = blocks_.size();
   tets_when_cut_ = tet_count();
+  largest_first_.resize(blocks_.size());
+  std::iota(largest_first_.begin(), largest_first_.end(), std::size_t{0});
+  std::ranges::stable_sort(largest_first_, std::greater{}, [&](std::size_t b) { return blocks_[b].tets.size(); });
   std::vector<IdNeed> needs(blocks_.size());
   for_each_block([&](Kernel& kernel, std::size_t b) { needs[b] = needed_ids(kernel); });
   blocks_.lend(needs);

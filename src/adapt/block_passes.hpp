@@ -46,6 +46,7 @@ private:
   std::vector<Kernel> kernels_;  // of each worker
   std::size_t block_size_;
   Blocks blocks_;
+  std::vector<std::size_t> largest_first_;  // of the blocks
   Tallies tallies_;
   static constexpr double cut_again_ = 1.3;  // growth that makes blocks too large
   unsigned cuts_ = 0;

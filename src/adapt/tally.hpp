@@ -29,7 +29,6 @@ public:
     busy_ += other.busy_;
     return *this;
   }
-  [[nodiscard]] std::size_t scanned() const { return scanned_; }
   [[nodiscard]] std::size_t accepted() const { return outcomes_[0]; }
   [[nodiscard]] std::size_t put_off() const { return outcomes_[static_cast<std::size_t>(Refusal::put_off)]; }
   [[nodiscard]] const char* name() const { return name_; }
