@@ -8,8 +8,7 @@
 
 namespace taut {
 
-BlockPasses::BlockPasses(Problem& problem, std::size_t block_size)
-    : mesh_(problem.mesh), block_size_(block_size), blocks_(problem.mesh) {
+BlockPasses::BlockPasses(Problem& problem, std::size_t block_size) : block_size_(block_size), blocks_(problem.mesh) {
   for (int i = 0; i < worker_count(); ++i) kernels_.push_back(Kernel{problem.mesh, problem.model, *problem.target});
 }
 

@@ -42,7 +42,6 @@ private:
   template <class Work>
   void alone(Tally& tally, Work work);
 
-  TetMesh& mesh_;
   std::vector<Kernel> kernels_;  // of each worker
   std::size_t block_size_;
   Blocks blocks_;
