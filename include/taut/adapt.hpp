@@ -40,8 +40,8 @@ struct AdaptOptions {
   double ridge_angle = 45;            ///< degrees between the normals of two triangles from which their edge is a ridge
   int passes = 40;  ///< rounds of insertion, collapse, swaps and relocation at most; it ends before if nothing gains
   ProgressCallback progress{};
-  int threads =
-      0;  ///< at most; 0: those of the caller's oneTBB task arena, by default one a core. The result is the same
+  /// At most; 0: those of the caller's oneTBB task arena, by default one a core. The result is the same.
+  int threads = 0;
   /// Vertices of a block, the share of the mesh that one thread works on at a time; 0: the whole mesh. Unlike the
   /// number of threads it changes the result, though hardly its quality.
   std::size_t block_size = 8192;

@@ -35,11 +35,11 @@ void Blocks::assign_vertices(std::size_t block_size, unsigned round) {
   const Bisection bisection(mesh_, block_size == 0 ? count + 1 : std::max(block_size, least), round);
   for (std::uint32_t b = 0; b < bisection.parts(); ++b) blocks_.emplace_back(b, owner_, at_seam_);
   std::vector<std::uint32_t> owner(count, nobody);
+  owner_.resize(count);
   for_each_index(count, [&](std::size_t v) {
     if (mesh_.is_vertex_alive(static_cast<VertexId>(v))) owner[v] = bisection.part_of(mesh_.vertices[v].x);
+    owner_[v] = static_cast<std::uint16_t>(owner[v]);
   });
-  owner_.resize(count);
-  for_each_index(count, [&](std::size_t v) { owner_[v] = static_cast<std::uint16_t>(owner[v]); });
   at_seam_.assign(count, 0);
   auto groups = group(owner, blocks_.size());
   for (std::size_t b = 0; b < blocks_.size(); ++b) {

@@ -143,9 +143,8 @@ struct FaceDefects {
   }
 };
 
-void check_faces(const Mesh& mesh, std::vector<std::string>& found) {
+void check_faces(const Mesh& mesh, const Buckets<Face>& triangles, std::vector<std::string>& found) {
   const Buckets<Face> faces = faces_of(mesh.tetrahedra, mesh.points.size());
-  const Buckets<Face> triangles = faces_of(mesh.triangles, mesh.points.size());
   const auto sum = sum_in_order<FaceDefects>(
       mesh.points.size(), [&](FaceDefects& own, std::size_t v) { own.add(mesh, faces[v], triangles[v]); });
   report("faces shared by more than two tetrahedra (index of a tetrahedron)", sum.crowded, found);
@@ -154,28 +153,13 @@ void check_faces(const Mesh& mesh, std::vector<std::string>& found) {
   report("triangles that are no face of a tetrahedron", sum.loose, found);
 }
 
-/// An entity by its vertices in ascending order.
-template <std::size_t n>
-struct Named {
-  std::array<Index, n> vertices;
-  Index index;
-  auto operator<=>(const Named&) const = default;
-};
-
 /// The later one of two entities with the same vertices counts as the duplicate.
 template <std::size_t n>
-void check_duplicates(std::string_view what, const std::vector<std::array<Index, n>>& entities, std::size_t points,
-                      std::vector<std::string>& found) {
-  auto by_vertex = gather<Named<n>>(entities.size(), points, [&](std::size_t i, auto put) {
-    Named<n> named = {entities[i], static_cast<Index>(i)};
-    std::ranges::sort(named.vertices);
-    put(named.vertices[0], named);
-  });
-  const auto duplicates = sum_in_order<Places>(points, [&](Places& places, std::size_t v) {
-    const std::span<Named<n>> own = by_vertex[v];
-    std::ranges::sort(own);
+void check_duplicates(std::string_view what, const Buckets<Named<n>>& entities, std::vector<std::string>& found) {
+  const auto duplicates = sum_in_order<Places>(entities.keys(), [&](Places& places, std::size_t v) {
+    const std::span<const Named<n>> own = entities[v];
     for (std::size_t i = 1; i < own.size(); ++i)
-      if (own[i].vertices == own[i - 1].vertices) places.add(own[i].index);
+      if (own[i].vertices == own[i - 1].vertices) places.add(own[i].source);
   });
   report(fmt::format("duplicate {}", what), duplicates, found);
 }
@@ -196,10 +180,11 @@ std::vector<std::string> defects(const Mesh& mesh) {
   // Nothing else can be looked at before these hold.
   if (!found.empty()) return found;
   check_orientation(mesh, found);
-  check_faces(mesh, found);
-  check_duplicates("tetrahedra", mesh.tetrahedra, mesh.points.size(), found);
-  check_duplicates("triangles", mesh.triangles, mesh.points.size(), found);
-  check_duplicates("edges", mesh.edges, mesh.points.size(), found);
+  const Buckets<Face> triangles = named(mesh.triangles, mesh.points.size());
+  check_faces(mesh, triangles, found);
+  check_duplicates("tetrahedra", named(mesh.tetrahedra, mesh.points.size()), found);
+  check_duplicates("triangles", triangles, found);
+  check_duplicates("edges", named(mesh.edges, mesh.points.size()), found);
   check_unused(mesh, found);
   return found;
 }

@@ -1,27 +1,52 @@
-// The faces of tetrahedra, in an order that brings equal ones together.
+// Entities by their vertices, in an order that brings equal ones together.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
+#include <vector>
 
 #include "base/buckets.hpp"
 #include "base/ids.hpp"
+#include "base/parallel.hpp"
 #include "taut/mesh.hpp"
 
 namespace taut {
 
-/// A face by its vertices in ascending order, and the tetrahedron or triangle it comes from.
-struct Face {
-  std::array<VertexId, 3> vertices;
+/// An entity by its vertices in ascending order, and its index; of a face, that of what it comes from.
+template <std::size_t n>
+struct Named {
+  std::array<VertexId, n> vertices;
   Index source;
-  auto operator<=>(const Face&) const = default;
+  auto operator<=>(const Named&) const = default;
 };
 
-/// All four faces of each tetrahedron by their smallest vertex, those of one vertex sorted; a face of two tetrahedra
-/// occurs twice. Indices below `vertices`.
-[[nodiscard]] Buckets<Face> faces_of(std::span<const std::array<Index, 4>> tets, std::size_t vertices);
+using Face = Named<3>;
 
-/// The triangles as faces, likewise.
-[[nodiscard]] Buckets<Face> faces_of(std::span<const std::array<Index, 3>> triangles, std::size_t vertices);
+/// What name(i, put) gives to put(vertices) for each i below `count`, by the smallest vertex; those of one vertex
+/// sorted. Indices of vertices below `vertices`.
+template <std::size_t n, class Name>
+[[nodiscard]] Buckets<Named<n>> sorted_by_vertices(std::size_t count, std::size_t vertices, const Name& name) {
+  auto buckets = gather<Named<n>>(count, vertices, [&](std::size_t i, auto put) {
+    name(i, [&](std::array<VertexId, n> of) {
+      std::ranges::sort(of);
+      put(of[0], Named<n>{of, static_cast<Index>(i)});
+    });
+  });
+  for_each_index(buckets.keys(), [&](std::size_t v) { std::ranges::sort(buckets[v]); });
+  return buckets;
+}
+
+template <std::size_t n>
+[[nodiscard]] Buckets<Named<n>> named(const std::vector<std::array<Index, n>>& entities, std::size_t vertices) {
+  return sorted_by_vertices<n>(entities.size(), vertices, [&](std::size_t i, auto put) { put(entities[i]); });
+}
+
+/// All four faces of each tetrahedron; a face of two occurs twice.
+[[nodiscard]] inline Buckets<Face> faces_of(std::span<const std::array<Index, 4>> tets, std::size_t vertices) {
+  return sorted_by_vertices<3>(tets.size(), vertices, [&](std::size_t t, auto put) {
+    for (const auto& [i, j, k] : face_vertices) put({tets[t][i], tets[t][j], tets[t][k]});
+  });
+}
 
 }  // namespace taut

@@ -6,7 +6,6 @@
 #include <random>
 #include <string>
 
-#include "adapt/passes.hpp"
 #include "base/parallel.hpp"
 #include "cavity/collapse.hpp"
 #include "cavity/insertion.hpp"
@@ -393,19 +392,6 @@ TEST(SwapEdge, IsPutOffWithoutIds) {
 
 TEST(SwapFace, IsPutOffWithoutIds) {
   expect_put_off_without_ids(kinds[3]);
-}
-
-TEST(SplitStuck, PassesOverWhatIsGone) {
-  const Mesh input = test::cube(2);
-  Workbench bench(input, Sizes(input.points.size(), 0.1));
-  bench.block.give_back(bench.mesh);
-  std::vector<TetId> stuck;
-  for (TetId t = 0; t < bench.mesh.tets.size(); ++t) stuck.push_back(t);
-  EXPECT_FALSE(bench.mesh.tets.back().alive()) << "borrowed and given back";
-  Tally tally("insert");
-  split_stuck(bench.kernel, {}, stuck, tally);
-  EXPECT_GT(tally.accepted(), 10);
-  EXPECT_EQ(first_broken_invariant(bench.mesh), "");
 }
 
 }  // namespace
