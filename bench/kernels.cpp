@@ -8,13 +8,13 @@
 
 #include "adapt/passes.hpp"
 #include "adapt/setup.hpp"
-#include "cavity/delaunay.hpp"
 #include "cavity/face_batch.hpp"
 #include "cavity/vertex_batch.hpp"
 #include "mesh/grid.hpp"
 #include "mesh/orientation.hpp"
 #include "metric/length.hpp"
 #include "metric/quality.hpp"
+#include "operators/delaunay.hpp"
 
 namespace taut {
 namespace {

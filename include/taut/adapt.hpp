@@ -1,6 +1,7 @@
 // The door: a mesh and a metric in, a mesh that is unit in the metric out.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -12,14 +13,9 @@
 #include "taut/mesh.hpp"
 #include "taut/metric.hpp"
 #include "taut/quality.hpp"
+#include "taut/surface.hpp"
 
 namespace taut {
-
-/// What may change on the boundary and on the faces between regions.
-enum class Surface {
-  adapt,  ///< planar patches are remeshed; patches that are not planar stay as they are
-  fixed,  ///< every triangle of the input stays as it is
-};
 
 /// One round of the adaptation, as reported to the progress callback after each pass.
 struct Progress {
@@ -73,10 +69,17 @@ struct Report {
   Quality quality;                                      ///< of the result in the metric it was adapted to
 };
 
+/// Where a point of the result lies in the input.
+struct Host {
+  Index tetrahedron = 0;            ///< of the input
+  std::array<double, 4> weights{};  ///< of its four points in their order: none negative, of sum 1
+};
+
 struct AdaptResult {
   static constexpr Index gone = std::numeric_limits<Index>::max();
   Mesh mesh;
   Tensors metric;                 ///< at the points of `mesh`
+  std::vector<Host> hosts;        ///< of the points of `mesh`: what interpolates any field on the input
   std::vector<Index> new_of_old;  ///< for each point of the input its index in `mesh`, or `gone`
   Report report;
 };

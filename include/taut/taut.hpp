@@ -7,5 +7,6 @@
 #include "taut/mesh.hpp"
 #include "taut/metric.hpp"
 #include "taut/quality.hpp"
+#include "taut/surface.hpp"
 #include "taut/threads.hpp"
 #include "taut/version.hpp"

@@ -5,11 +5,12 @@
 #include <numeric>
 
 #include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
 
 namespace taut {
 
-BlockPasses::BlockPasses(Problem& problem, std::size_t block_size) : block_size_(block_size), blocks_(problem.mesh) {
-  for (int i = 0; i < worker_count(); ++i) kernels_.push_back(Kernel{problem.mesh, problem.model, *problem.target});
+BlockPasses::BlockPasses(Session& session, std::size_t block_size) : block_size_(block_size), blocks_(session.mesh) {
+  for (int i = 0; i < worker_count(); ++i) kernels_.push_back(Kernel{session.mesh, session.model, *session.target});
 }
 
 // Calls body(kernel, b) for each block b, with the kernel set to work on it. The largest begin first, lest one of them

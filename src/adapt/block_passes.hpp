@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "adapt/passes.hpp"
-#include "adapt/setup.hpp"
+#include "adapt/session.hpp"
 #include "adapt/tally.hpp"
-#include "mesh/blocks.hpp"
+#include "partition/blocks.hpp"
 
 namespace taut {
 
@@ -15,7 +15,7 @@ namespace taut {
 class BlockPasses {
 public:
   /// Blocks of about `block_size` vertices; 0: a single one.
-  BlockPasses(Problem& problem, std::size_t block_size);
+  BlockPasses(Session& session, std::size_t block_size);
 
   /// Cuts the mesh otherwise than ever before, and hands out the ids that insertion will need.
   void cut();

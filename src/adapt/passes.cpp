@@ -27,7 +27,7 @@ void prefetch_around(const TetMesh& mesh, const Tet& tet) {
 template <class IsDue, class Visit>
 void for_each_due_tet(Kernel& kernel, Tally& tally, IsDue is_due, Visit visit) {
   const std::vector<Tet>& tets = kernel.mesh.tets;
-  const IdPool& ids = kernel.block->tets;
+  const IdPool<TetId>& ids = kernel.block->tets;
   const std::size_t count = ids.size();
   const auto due = [&](std::size_t i) { return i < count && tets[ids[i]].alive() && is_due(tets[ids[i]]); };
   for (std::size_t i = 0; i < count; ++i) {
@@ -38,7 +38,7 @@ void for_each_due_tet(Kernel& kernel, Tally& tally, IsDue is_due, Visit visit) {
     visit(t);
   }
   for (TetId t : kernel.block->shared_tets)
-    if (is_due(tets[t])) tally.record(Refusal::put_off);
+    if (is_due(tets[t])) tally.record(Outcome::put_off);
 }
 
 double edge_length(const Kernel& kernel, TetId t, int edge) {
@@ -57,7 +57,7 @@ LongEdge longest_edge(Kernel& kernel, TetId t) {
   Tet& tet = kernel.mesh.tets[t];
   LongEdge longest;
   for (int e = 0; e < 6; ++e) {
-    if (tet.was_tried(Trial::insertion, e)) continue;
+    if (tet.state.tried.has(Trial::insertion, e)) continue;
     const double length = edge_length(kernel, t, e);
     note_length(tet, e, length);
     if (length > longest.length) longest = {e, length};
@@ -84,7 +84,7 @@ private:
   double inner_ = 0, outer_ = 0;
 };
 
-Refusal split(Kernel& kernel, TetId t, const LongEdge& longest, InsertionRules rules) {
+Outcome split(Kernel& kernel, TetId t, const LongEdge& longest, InsertionRules rules) {
   if (longest.length > clearly_long) rules.shortest_new_edge = loose_filter;
   return insert_on_edge(kernel, t, longest.edge, rules);
 }
@@ -93,7 +93,7 @@ Refusal split(Kernel& kernel, TetId t, const LongEdge& longest, InsertionRules r
 
 IdNeed needed_ids(Kernel& kernel) {
   const Block& block = *kernel.block;
-  const auto is_due = [&](TetId t) { return !kernel.mesh.tets[t].all_tried(Trial::insertion, 6); };
+  const auto is_due = [&](TetId t) { return !kernel.mesh.tets[t].state.tried.all(Trial::insertion); };
   Splits splits;
   for (std::size_t i = 0; i < block.tets.size(); ++i)
     if (is_due(block.tets[i])) splits.add(kernel, block.tets[i], longest_edge(kernel, block.tets[i]));
@@ -105,13 +105,13 @@ IdNeed needed_ids(Kernel& kernel) {
 }
 
 void insertion_pass(Kernel& kernel, const InsertionRules& rules, std::vector<TetId>& stuck, Tally& tally) {
-  const auto is_due = [&](const Tet& tet) { return !tet.all_tried(Trial::insertion, 6); };
+  const auto is_due = [&](const Tet& tet) { return !tet.state.tried.all(Trial::insertion); };
   for_each_due_tet(kernel, tally, is_due, [&](TetId t) {
     const LongEdge longest = longest_edge(kernel, t);
     if (longest.edge < 0) return;
-    const Refusal outcome = split(kernel, t, longest, rules);
+    const Outcome outcome = split(kernel, t, longest, rules);
     tally.record(outcome);
-    if (outcome == Refusal::put_off && longest.length > far_too_long) stuck.push_back(t);
+    if (outcome == Outcome::put_off && longest.length > far_too_long) stuck.push_back(t);
   });
   for (TetId t : kernel.block->shared_tets)
     if (longest_edge(kernel, t).length > far_too_long) stuck.push_back(t);
@@ -134,14 +134,14 @@ void split_stuck(Kernel& kernel, const InsertionRules& rules, std::span<const Te
 }
 
 void collapse_pass(Kernel& kernel, const CollapseRules& rules, Tally& tally) {
-  const auto is_due = [](const Tet& tet) { return !tet.all_tried(Trial::collapse, 6); };
+  const auto is_due = [](const Tet& tet) { return !tet.state.tried.all(Trial::collapse); };
   for_each_due_tet(kernel, tally, is_due, [&](TetId t) {
     for (int e = 0; e < 6; ++e) {
       Tet& tet = kernel.mesh.tets[t];
-      if (tet.was_tried(Trial::collapse, e)) continue;
+      if (tet.state.tried.has(Trial::collapse, e)) continue;
       const double length = edge_length(kernel, t, e);
       if (length >= shortest_unit)
-        tet.set_tried(Trial::collapse, e);
+        tet.state.tried.set(Trial::collapse, e);
       else if (tally.record(collapse_edge(kernel, t, e, rules)))
         return;
     }
@@ -149,28 +149,28 @@ void collapse_pass(Kernel& kernel, const CollapseRules& rules, Tally& tally) {
 }
 
 void swap_pass(Kernel& kernel, const SwapRules& rules, Tally& edges, Tally& faces) {
-  const auto is_due = [&](const Tet& tet) { return tet.quality <= rules.good_enough; };
+  const auto is_due = [&](const Tet& tet) { return tet.state.quality <= rules.good_enough; };
   for_each_due_tet(kernel, edges, is_due, [&](TetId t) {
     const Tet& tet = kernel.mesh.tets[t];
     for (int e = 0; e < 6; ++e)
-      if (!tet.was_tried(Trial::edge_swap, e) && edges.record(swap_edge(kernel, t, e, rules))) return;
-    if (tet.quality > rules.poor) return;
+      if (!tet.state.tried.has(Trial::edge_swap, e) && edges.record(swap_edge(kernel, t, e, rules))) return;
+    if (tet.state.quality > rules.poor) return;
     faces.scan();
     for (int f = 0; f < 4; ++f)
-      if (!tet.was_tried(Trial::face_swap, f) && faces.record(swap_face(kernel, t, f, rules))) return;
+      if (!tet.state.tried.has(Trial::face_swap, f) && faces.record(swap_face(kernel, t, f, rules))) return;
   });
 }
 
 void repair_pass(Kernel& kernel, const RepairRules& rules, Tally& tally) {
-  const auto is_due = [&](const Tet& tet) { return tet.quality <= rules.bad; };
+  const auto is_due = [&](const Tet& tet) { return tet.state.quality <= rules.bad; };
   for_each_due_tet(kernel, tally, is_due, [&](TetId t) { tally.record(repair(kernel, t, rules)); });
 }
 
 void mend(Kernel& kernel, const RepairRules& rules, Tally& tally) {
   kernel.block->borrow(kernel.mesh, {few_ids, few_ids, few_ids});
   const auto& tets = kernel.mesh.tets;
-  for (TetId t = 0; t < tets.size(); ++t) {
-    if (!tets[t].alive() || tets[t].quality > rules.bad) continue;
+  for (const TetId t : kernel.mesh.tet_ids()) {
+    if (!tets[t].alive() || tets[t].state.quality > rules.bad) continue;
     tally.scan();
     tally.record(repair(kernel, t, rules));
   }
@@ -179,11 +179,11 @@ void mend(Kernel& kernel, const RepairRules& rules, Tally& tally) {
 
 void relocation_pass(Kernel& kernel, const RelocationRules& rules, Tally& tally) {
   const TetMesh& mesh = kernel.mesh;
-  const IdPool& ids = kernel.block->vertices;
+  const IdPool<VertexId>& ids = kernel.block->vertices;
   const std::size_t count = ids.size();
   for (std::size_t i = 0; i < count; ++i) {
     const VertexId v = ids[i];
-    if (!mesh.is_vertex_alive(v) || mesh.restless[v] == 0) continue;
+    if (!mesh.is_vertex_alive(v) || !mesh.state_of_vertex[v].restless) continue;
     tally.scan();
     if (i + reach < count && mesh.is_vertex_alive(ids[i + reach]))
       __builtin_prefetch(&mesh.tets[mesh.tet_of_vertex[ids[i + reach]]]);

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "adapt/tally.hpp"
-#include "cavity/collapse.hpp"
-#include "cavity/insertion.hpp"
-#include "cavity/kernel.hpp"
-#include "cavity/relocation.hpp"
-#include "cavity/repair.hpp"
-#include "cavity/swap.hpp"
+#include "operators/collapse.hpp"
+#include "operators/insertion.hpp"
+#include "operators/kernel.hpp"
+#include "operators/relocation.hpp"
+#include "operators/repair.hpp"
+#include "operators/swap.hpp"
 
 namespace taut {
 

@@ -1,12 +1,12 @@
 // From the mesh under work back to plain arrays.
 #pragma once
 
-#include "adapt/setup.hpp"
+#include "adapt/session.hpp"
 #include "taut/adapt.hpp"
 
 namespace taut {
 
-/// Fills mesh, metric, new_of_old and the report's hash and quality. The mesh must be without dead entities.
-void assemble(const Problem& problem, const Mesh& input, AdaptResult& result);
+/// Fills mesh, metric, hosts, new_of_old and the report's hash and quality. The mesh must be without dead entities.
+void assemble(const Session& session, const Mesh& input, AdaptResult& result);
 
 }  // namespace taut

@@ -4,13 +4,12 @@
 
 #include <cmath>
 
-#include "adapt/tally.hpp"
 #include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
 #include "geometry/classify.hpp"
 #include "mesh/build.hpp"
 #include "mesh/edges.hpp"
 #include "metric/field.hpp"
-#include "metric/quality.hpp"
 #include "sizing/gradation.hpp"
 #include "sizing/truncation.hpp"
 
@@ -40,25 +39,39 @@ std::vector<Sym3> limited_metric(const Mesh& mesh, const Metric& metric, const A
   return metrics;
 }
 
-void set_qualities(TetMesh& mesh) {
-  for_each_index(mesh.tets.size(), [&](std::size_t t) {
-    Tet& tet = mesh.tets[t];
-    const Vertex* p[4];
-    for (int k = 0; k < 4; ++k) p[k] = &mesh.vertices[tet.v[k]];
-    tet.quality =
-        static_cast<float>(shape_quality(p[0]->x, p[1]->x, p[2]->x, p[3]->x, p[0]->m, p[1]->m, p[2]->m, p[3]->m));
+// The metrics of the input's points go to the vertices. Returns them by vertex.
+std::vector<Sym3> place_metrics(TetMesh& mesh, const std::vector<Sym3>& metrics) {
+  std::vector<Sym3> of_vertex(mesh.vertices.size());
+  for_each_index(mesh.vertices.size(), [&](std::size_t v) {
+    mesh.vertices[v].m = of_vertex[v] = metrics[mesh.origin_of_vertex[v]];
+    mesh.host_of_vertex[v] = static_cast<CellId>(mesh.tet_of_vertex[v]);
   });
+  return of_vertex;
+}
+
+std::unique_ptr<const Target> make_target(const Metric& metric, const AdaptOptions& options,
+                                          const Background& background, const std::vector<Sym3>& metrics) {
+  const auto* function = std::get_if<MetricFunction>(&metric);
+  if (function == nullptr || options.gradation) return std::make_unique<Target>(background, metrics);
+  return std::make_unique<Target>(*function, options.hmin, options.hmax);
+}
+
+std::vector<std::uint32_t> inverse(const std::vector<TetId>& tet_of_input) {
+  std::vector<std::uint32_t> input_of_tet(tet_of_input.size());
+  for_each_index(tet_of_input.size(),
+                 [&](std::size_t i) { input_of_tet[tet_of_input[i]] = static_cast<std::uint32_t>(i); });
+  return input_of_tet;
 }
 
 void count_mended(const Built& built, const Model& model, Report& report) {
   report.reoriented = built.reoriented;
   report.triangles_built = built.triangles_built;
-  for (const Triangle& t : built.mesh.triangles) report.triangles_frozen += model.patches[t.patch].frozen ? 1 : 0;
+  for (const Triangle& t : built.mesh.triangles) report.triangles_frozen += model.patches[t.patch].frozen() ? 1 : 0;
 }
 
 }  // namespace
 
-Problem set_up(const Mesh& mesh, const Metric& metric, const AdaptOptions& options, Report& report) {
+Session set_up(const Mesh& mesh, const Metric& metric, const AdaptOptions& options, Report& report) {
   const Stopwatch build_watch;
   Built built = build(mesh);
   report.seconds.emplace_back("build", build_watch.seconds());
@@ -69,20 +82,18 @@ Problem set_up(const Mesh& mesh, const Metric& metric, const AdaptOptions& optio
   report.seconds.emplace_back("geometry", geometry_watch.seconds());
 
   const Stopwatch metric_watch;
-  const std::vector<Sym3> metrics = limited_metric(mesh, metric, options);
-  TetMesh& work = built.mesh;
-  for_each_index(work.vertices.size(), [&](std::size_t v) {
-    work.vertices[v].m = metrics[work.origin_of_vertex[v]];
-    work.host_of_vertex[v] = work.tet_of_vertex[v];
-    work.restless[v] = 1;
-  });
-  set_qualities(work);
-  const auto* function = std::get_if<MetricFunction>(&metric);
-  auto target = function != nullptr && !options.gradation
-                    ? std::make_unique<Target>(*function, options.hmin, options.hmax)
-                    : std::make_unique<Target>(work);
+  const std::vector<Sym3> metrics = place_metrics(built.mesh, limited_metric(mesh, metric, options));
+  auto background = std::make_unique<const Background>(built.mesh);
+  auto target = make_target(metric, options, *background, metrics);
+  Session session{std::move(built.mesh),
+                  std::move(model),
+                  std::move(background),
+                  std::move(target),
+                  std::move(built.vertex_of_point),
+                  inverse(built.tet_of_input)};
+  session.measure_qualities();
   report.seconds.emplace_back("metric", metric_watch.seconds());
-  return {std::move(work), std::move(model), std::move(target)};
+  return session;
 }
 
 }  // namespace taut

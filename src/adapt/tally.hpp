@@ -2,11 +2,10 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <string>
 
-#include "cavity/refusal.hpp"
+#include "cavity/outcome.hpp"
 #include "taut/adapt.hpp"
 
 namespace taut {
@@ -16,9 +15,9 @@ public:
   explicit Tally(const char* name) : name_(name) {}
 
   void scan(std::size_t count = 1) { scanned_ += count; }
-  bool record(Refusal outcome) {
+  bool record(Outcome outcome) {
     ++outcomes_[static_cast<std::size_t>(outcome)];
-    return outcome == Refusal::accepted;
+    return outcome == Outcome::accepted;
   }
   void add_seconds(double seconds) { seconds_ += seconds; }
   void add_busy(double seconds) { busy_ += seconds; }
@@ -30,14 +29,14 @@ public:
     return *this;
   }
   [[nodiscard]] std::size_t accepted() const { return outcomes_[0]; }
-  [[nodiscard]] std::size_t put_off() const { return outcomes_[static_cast<std::size_t>(Refusal::put_off)]; }
+  [[nodiscard]] std::size_t put_off() const { return outcomes_[static_cast<std::size_t>(Outcome::put_off)]; }
   [[nodiscard]] const char* name() const { return name_; }
 
   [[nodiscard]] PassReport report() const {
     PassReport report{name_, scanned_, 0, accepted(), {}, put_off(), seconds_, busy_};
-    for (std::size_t i = 0; i < static_cast<std::size_t>(Refusal::put_off); ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(Outcome::put_off); ++i) {
       report.tried += outcomes_[i];
-      if (i > 0 && outcomes_[i] > 0) report.refused.emplace_back(refusal_names[i], outcomes_[i]);
+      if (i > 0 && outcomes_[i] > 0) report.refused.emplace_back(outcome_names[i], outcomes_[i]);
     }
     return report;
   }
@@ -45,7 +44,7 @@ public:
 private:
   const char* name_;
   std::size_t scanned_ = 0;
-  std::array<std::size_t, refusal_names.size()> outcomes_{};
+  std::array<std::size_t, outcome_names.size()> outcomes_{};
   double seconds_ = 0, busy_ = 0;
 };
 
@@ -69,17 +68,6 @@ struct Tallies {
     efficiency_gain += other.efficiency_gain;
     return *this;
   }
-};
-
-/// Seconds since it was made.
-class Stopwatch {
-public:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
-private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace taut

@@ -7,50 +7,49 @@
 
 namespace taut {
 
-Refusal Cavity::add_face(const TetMesh& mesh, int owner, int face, VertexId gone) {
+Outcome Cavity::add_face(const TetMesh& mesh, int owner, int face) {
   const auto v = mesh.face(tets[owner], face);
-  if (v[0] == gone || v[1] == gone || v[2] == gone) {
-    // Of a collapse's ball the hull faces at the vanishing vertex lie on patches that the apex is not on.
-    if (gone != none) return Refusal::geometry;
-  }
+  // Of a collapse's ball the hull faces at the vanishing vertex lie on patches that the apex is not on.
+  if (gone_ != none && (v[0] == gone_ || v[1] == gone_ || v[2] == gone_)) return Outcome::geometry;
   for (int k = 0; k < 3; ++k) {
     if (v[k] != apex_.id) continue;
-    if (apex_face_count_ == FaceBatch::capacity) return Refusal::too_large;
+    if (apex_face_count_ == FaceBatch::capacity) return Outcome::too_large;
     const VertexId b = v[(k + 1) % 3], c = v[(k + 2) % 3];
     const int lb = vertices_.add(mesh, b), lc = vertices_.add(mesh, c);
-    if (lb < 0 || lc < 0) return Refusal::too_large;
+    if (lb < 0 || lc < 0) return Outcome::too_large;
     apex_faces_[apex_face_count_++] = {b, c, static_cast<std::uint8_t>(lb), static_cast<std::uint8_t>(lc), owner, face};
-    return Refusal::accepted;
+    return Outcome::accepted;
   }
-  if (batch.full()) return Refusal::too_large;
+  if (batch.full()) return Outcome::too_large;
   HullFace& hull = faces_[batch.size()];
   hull = {v, {}, owner, face};
   for (int k = 0; k < 3; ++k) {
     const int l = vertices_.add(mesh, v[k]);
-    if (l < 0) return Refusal::too_large;
+    if (l < 0) return Outcome::too_large;
     hull.local[k] = static_cast<std::uint8_t>(l);
   }
   batch.push(mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]);
-  return Refusal::accepted;
+  return Outcome::accepted;
 }
 
-Refusal Cavity::add_triangle(const TetMesh& mesh, const Model& model, int owner, int face, VertexId gone) {
+Outcome Cavity::add_triangle(const TetMesh& mesh, const Model& model, int owner, int face) {
   const TriangleId t = mesh.tets[tets[owner]].n[face].triangle();
   const Triangle& triangle = mesh.triangles[t];
   const FaceLink here = FaceLink::to_face(tets[owner], face);
   const FaceLink other = mesh.other_side(t, here);
   const bool goes = model.on_patch(apex_.tag, triangle.patch);
   if (other != outside && tets.contains(other.tet())) {  // between two tetrahedra of the cavity
-    if (!goes) return Refusal::geometry;
-    if (triangle.side[0] != here) return Refusal::accepted;  // noted from the other side
-    return surface_.remove(t) ? Refusal::accepted : Refusal::too_large;
+    if (!goes) return Outcome::geometry;
+    if (triangle.side[0] != here) return Outcome::accepted;  // noted from the other side
+    return surface_.remove(t) ? Outcome::accepted : Outcome::too_large;
   }
-  if (goes && other == outside) return surface_.remove(t) ? Refusal::accepted : Refusal::too_large;
-  return add_face(mesh, owner, face, gone);
+  if (goes && other == outside) return surface_.remove(t) ? Outcome::accepted : Outcome::too_large;
+  return add_face(mesh, owner, face);
 }
 
-Refusal Cavity::propose(const TetMesh& mesh, const Model& model, const Apex& apex, VertexId gone) {
+Outcome Cavity::propose(const TetMesh& mesh, const Model& model, const Apex& apex, VertexId gone) {
   apex_ = apex;
+  gone_ = gone;
   apex_face_count_ = 0;
   batch.clear();
   surface_.clear();
@@ -58,17 +57,17 @@ Refusal Cavity::propose(const TetMesh& mesh, const Model& model, const Apex& ape
   for (int i = 0; i < tets.size(); ++i) {
     const Tet& tet = mesh.tets[tets[i]];
     for (int f = 0; f < 4; ++f) {
-      Refusal refusal = Refusal::accepted;
+      Outcome outcome = Outcome::accepted;
       if (tet.n[f].is_triangle())
-        refusal = add_triangle(mesh, model, i, f, gone);
+        outcome = add_triangle(mesh, model, i, f);
       else if (!tets.contains(tet.n[f].tet()))
-        refusal = add_face(mesh, i, f, gone);
-      if (refusal != Refusal::accepted) return refusal;
+        outcome = add_face(mesh, i, f);
+      if (outcome != Outcome::accepted) return outcome;
     }
   }
-  if (batch.size() == 0) return Refusal::topology;
+  if (batch.size() == 0) return Outcome::topology;
   batch.evaluate(apex_.vertex);
-  return surface_.empty() ? Refusal::accepted : surface_.rejoin(mesh, model, apex_, gone);
+  return surface_.empty() ? Outcome::accepted : surface_.rejoin(mesh, model, apex_, gone);
 }
 
 bool Cavity::sees(int i) const {
@@ -84,38 +83,32 @@ bool Cavity::all_positive() const {
   return true;
 }
 
-double Cavity::worst_new_quality() const {
-  double worst = 1e9;
-  for (int i = 0; i < batch.size(); ++i) worst = std::min(worst, batch.quality[i]);
-  return worst;
-}
-
 double Cavity::worst_old_quality(const TetMesh& mesh) const {
   float worst = 1e9F;
-  for (TetId t : tets.span()) worst = std::min(worst, mesh.tets[t].quality);
+  for (TetId t : tets.span()) worst = std::min(worst, mesh.tets[t].state.quality);
   return worst;
 }
 
-Refusal Cavity::validate(const TetMesh& mesh, const Block& block, VertexId gone) {
-  if (!all_positive()) return Refusal::inverted;
-  if (loses_vertex(mesh, gone) || !match(mesh)) return Refusal::topology;
-  if (has_ids(block)) return Refusal::accepted;
+Cavity::Permit Cavity::validate(const TetMesh& mesh, const Block& block) {
+  if (!all_positive()) return Permit(Outcome::inverted);
+  if (loses_vertex(mesh) || !match(mesh)) return Permit(Outcome::topology);
+  if (has_ids(block)) return Permit(Outcome::accepted);
   clear_matching();
-  return Refusal::put_off;
+  return Permit(Outcome::put_off);
 }
 
 bool Cavity::has_ids(const Block& block) const {
-  const auto enough = [](const IdPool& ids, int made, int gone) {
+  const auto enough = [](const auto& ids, int made, int gone) {
     return made <= gone || ids.available() >= static_cast<std::size_t>(made - gone);
   };
   return enough(block.tets, batch.size(), tets.size()) &&
          enough(block.triangles, surface_.border_size(), static_cast<int>(surface_.removed().size()));
 }
 
-bool Cavity::loses_vertex(const TetMesh& mesh, VertexId gone) const {
+bool Cavity::loses_vertex(const TetMesh& mesh) const {
   for (TetId t : tets.span())
     for (VertexId v : mesh.tets[t].v)
-      if (v != apex_.id && v != gone && !vertices_.contains(v)) return true;
+      if (v != apex_.id && v != gone_ && !vertices_.contains(v)) return true;
   return false;
 }
 

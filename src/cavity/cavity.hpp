@@ -6,23 +6,41 @@
 #include <span>
 
 #include "cavity/face_batch.hpp"
-#include "cavity/refusal.hpp"
+#include "cavity/outcome.hpp"
 #include "cavity/surface_cavity.hpp"
 #include "cavity/tet_set.hpp"
 #include "cavity/vertex_batch.hpp"
-#include "mesh/block.hpp"
+#include "partition/block.hpp"
 
 namespace taut {
 
-/// A worker's scratch. Use: fill `tets`; propose(); judge what stands in `batch` and lengths(); commit().
+/// A worker's scratch. Use: fill `tets`, then rejoin(); or propose() until the proposal is star-shaped, then
+/// conclude().
 class Cavity {
 public:
   TetSet tets;      ///< collected
   FaceBatch batch;  ///< the hull's faces that will carry a new tetrahedron, evaluated from the apex
 
+  /// The whole operation: proposes, judges, validates and commits. judge() looks at `batch` and lengths(), changes
+  /// nothing and returns an Outcome. `gone` is the vertex that a collapse removes.
+  template <class Judge>
+  Outcome rejoin(TetMesh& mesh, const Model& model, Block& block, const Apex& apex, VertexId gone, Judge judge) {
+    const Outcome outcome = propose(mesh, model, apex, gone);
+    return outcome == Outcome::accepted ? conclude(mesh, block, judge) : outcome;
+  }
+
   /// Finds the hull seen from the apex and evaluates its faces. Faces that contain the apex stay; triangles on a patch
-  /// of the apex go. `gone` is the vertex that a collapse removes. Refused for geometry, or for lack of room.
-  [[nodiscard]] Refusal propose(const TetMesh& mesh, const Model& model, const Apex& apex, VertexId gone = none);
+  /// of the apex go. Refused for geometry, or for lack of room.
+  [[nodiscard]] Outcome propose(const TetMesh& mesh, const Model& model, const Apex& apex, VertexId gone = none);
+
+  /// All that follows a proposal.
+  template <class Judge>
+  Outcome conclude(TetMesh& mesh, Block& block, Judge judge) {
+    if (const Outcome outcome = judge(); outcome != Outcome::accepted) return outcome;
+    const Permit permit = validate(mesh, block);
+    if (permit.outcome() == Outcome::accepted) commit(mesh, block, permit);
+    return permit.outcome();
+  }
 
   /// The tetrahedron that owns face i of the batch, as an index into `tets`.
   [[nodiscard]] int owner(int i) const { return faces_[i].owner; }
@@ -30,23 +48,26 @@ public:
   /// Whether face i of the batch sees the apex: its new tetrahedron is positive, exactly.
   [[nodiscard]] bool sees(int i) const;
 
-  [[nodiscard]] double worst_new_quality() const;
   [[nodiscard]] double worst_old_quality(const TetMesh& mesh) const;
 
   /// Fast edge lengths from the apex to the hull's vertices; valid until the next call.
   [[nodiscard]] std::span<const double> lengths() { return vertices_.lengths(apex_.vertex); }
 
-  /// All new tetrahedra are positive, their side faces match, no vertex but `gone` is lost, and the block has ids
-  /// enough.
-  [[nodiscard]] Refusal validate(const TetMesh& mesh, const Block& block, VertexId gone = none);
-
-  /// Re-joins the hull to the apex, which must exist. Call only after validate() found nothing.
-  void commit(TetMesh& mesh, Block& block, VertexId apex);
-
   /// The tetrahedra made by the last commit().
   [[nodiscard]] std::span<const TetId> made() const { return {made_.data(), static_cast<std::size_t>(batch.size())}; }
 
 private:
+  /// What validate() found. Only that makes one, and nothing is committed without.
+  class Permit {
+  public:
+    [[nodiscard]] Outcome outcome() const { return outcome_; }
+
+  private:
+    friend class Cavity;
+    explicit Permit(Outcome outcome) : outcome_(outcome) {}
+    Outcome outcome_;
+  };
+
   struct HullFace {
     std::array<VertexId, 3> v;
     std::array<std::uint8_t, 3> local;
@@ -59,23 +80,32 @@ private:
     int owner, face;
   };
 
-  Refusal add_face(const TetMesh& mesh, int owner, int face, VertexId gone);
-  Refusal add_triangle(const TetMesh& mesh, const Model& model, int owner, int face, VertexId gone);
+  /// All new tetrahedra are positive, their side faces match, no vertex but the one that goes is lost, and the block
+  /// has ids enough.
+  [[nodiscard]] Permit validate(const TetMesh& mesh, const Block& block);
+  /// Re-joins the hull to the apex, made if it does not exist yet.
+  void commit(TetMesh& mesh, Block& block, const Permit& permit);
+
+  Outcome add_face(const TetMesh& mesh, int owner, int face);
+  Outcome add_triangle(const TetMesh& mesh, const Model& model, int owner, int face);
   [[nodiscard]] bool all_positive() const;
   [[nodiscard]] bool match(const TetMesh& mesh);
   bool enter_edges();
   bool sides_agree(const TetMesh& mesh) const;
-  [[nodiscard]] bool loses_vertex(const TetMesh& mesh, VertexId gone) const;
+  [[nodiscard]] bool loses_vertex(const TetMesh& mesh) const;
+  [[nodiscard]] bool is_owned(const TetMesh& mesh, const Block& block) const;
   void clear_matching();
   [[nodiscard]] bool has_ids(const Block& block) const;
   void take_ids(Block& block);
-  void make_triangles(TetMesh& mesh, Block& block, VertexId apex);
-  void make_tet(TetMesh& mesh, VertexId apex, int i);
+  void make_apex(TetMesh& mesh, Block& block) const;
+  void make_triangles(TetMesh& mesh, Block& block);
+  void make_tet(TetMesh& mesh, int i);
   void glue_side(TetMesh& mesh, int i, int k);
   void relink(TetMesh& mesh, FaceLink link, FaceLink old_face, FaceLink new_face) const;
   void release(TetMesh& mesh, Block& block);
 
   Apex apex_;
+  VertexId gone_ = none;
   int apex_face_count_ = 0;
   VertexBatch vertices_;
   SurfaceCavity surface_;

@@ -57,7 +57,7 @@ bool collect_ball(const TetMesh& mesh, VertexId v, TetSet& ball) {
   return walk_ball(mesh, v, ball, [](const Tet&, int, VertexId) {});
 }
 
-Refusal collect_shell(const TetMesh& mesh, const Block& block, TetId t, int edge, Shell& shell) {
+Outcome collect_shell(const TetMesh& mesh, const Block& block, TetId t, int edge, Shell& shell) {
   const auto& v = mesh.tets[t].v;
   shell.a = v[edge_vertices[edge][0]];
   shell.b = v[edge_vertices[edge][1]];
@@ -66,15 +66,15 @@ Refusal collect_shell(const TetMesh& mesh, const Block& block, TetId t, int edge
   Step step{t, v[off_edge[edge][0]], v[off_edge[edge][1]]};
   bool open = false;
   while (true) {
-    if (!append(mesh, step, shell)) return Refusal::too_large;
+    if (!append(mesh, step, shell)) return Outcome::too_large;
     const Turn turn = advance(mesh, guard, step);
-    if (turn == Turn::foreign) return Refusal::put_off;
+    if (turn == Turn::foreign) return Outcome::put_off;
     if (turn == Turn::boundary) {
       if (open) break;
       open = true;  // start again from the shell's other end
       shell.size = shell.triangle_count = 0;
-      if (rewind(mesh, guard, step) == Turn::foreign) return Refusal::put_off;
-      if (!note_triangle(mesh, step, step.to, shell)) return Refusal::too_large;
+      if (rewind(mesh, guard, step) == Turn::foreign) return Outcome::put_off;
+      if (!note_triangle(mesh, step, step.to, shell)) return Outcome::too_large;
     } else if (!open && step.tet == t) {
       break;
     }
@@ -82,7 +82,7 @@ Refusal collect_shell(const TetMesh& mesh, const Block& block, TetId t, int edge
   shell.closed = !open;
   shell.ring_size = shell.size;
   if (open) shell.ring[shell.ring_size++] = step.to;
-  return Refusal::accepted;
+  return Outcome::accepted;
 }
 
 }  // namespace taut

@@ -3,10 +3,10 @@
 
 #include <array>
 
-#include "cavity/refusal.hpp"
+#include "cavity/outcome.hpp"
 #include "cavity/tet_set.hpp"
-#include "mesh/block.hpp"
 #include "mesh/tet_mesh.hpp"
+#include "partition/block.hpp"
 
 namespace taut {
 
@@ -59,6 +59,6 @@ struct Shell {
 
 /// The shell of an edge of t, a tetrahedron of the block. Put off if not all of it is; too large if there is no room,
 /// or more triangles meet at the edge than a sound geometry has.
-[[nodiscard]] Refusal collect_shell(const TetMesh& mesh, const Block& block, TetId t, int edge, Shell& shell);
+[[nodiscard]] Outcome collect_shell(const TetMesh& mesh, const Block& block, TetId t, int edge, Shell& shell);
 
 }  // namespace taut

@@ -1,4 +1,5 @@
 // The writing half of the cavity operator.
+#include <algorithm>
 #include <cassert>
 
 #include "cavity/cavity.hpp"
@@ -12,14 +13,16 @@ constexpr std::array<int, 3> side_at_edge = {3, 1, 2};
 
 }  // namespace
 
-void Cavity::commit(TetMesh& mesh, Block& block, VertexId apex) {
+void Cavity::commit(TetMesh& mesh, Block& block, [[maybe_unused]] const Permit& permit) {
+  assert(permit.outcome() == Outcome::accepted && is_owned(mesh, block));
   for (int i = 0; i < tets.size(); ++i) {
     old_links_[i] = mesh.tets[tets[i]].n;
     old_regions_[i] = mesh.region_of_tet[tets[i]];
   }
+  make_apex(mesh, block);
   take_ids(block);
-  if (!surface_.empty()) make_triangles(mesh, block, apex);
-  for (int i = 0; i < batch.size(); ++i) make_tet(mesh, apex, i);
+  if (!surface_.empty()) make_triangles(mesh, block);
+  for (int i = 0; i < batch.size(); ++i) make_tet(mesh, i);
   for (int i = 0; i < batch.size(); ++i)
     for (int k = 0; k < 3; ++k) glue_side(mesh, i, k);
   clear_matching();
@@ -27,12 +30,23 @@ void Cavity::commit(TetMesh& mesh, Block& block, VertexId apex) {
   assert(first_broken_invariant(mesh, made()).empty());
 }
 
+// Nobody else may touch what the operation changes.
+bool Cavity::is_owned(const TetMesh& mesh, const Block& block) const {
+  const auto owned = [&](VertexId v) { return block.owns(v); };
+  return owned(apex_.id) &&
+         std::ranges::all_of(tets.span(), [&](TetId t) { return std::ranges::all_of(mesh.tets[t].v, owned); });
+}
+
+void Cavity::make_apex(TetMesh& mesh, Block& block) const {
+  if (!mesh.is_vertex_alive(apex_.id)) block.add_vertex(mesh, apex_.vertex, apex_.tag, apex_.host);
+}
+
 // New tetrahedra take the ids of the old ones first: neighbours in space stay neighbours in memory.
 void Cavity::take_ids(Block& block) {
   for (int i = 0; i < batch.size(); ++i) made_[i] = i < tets.size() ? tets[i] : block.tets.take();
 }
 
-void Cavity::make_triangles(TetMesh& mesh, Block& block, VertexId apex) {
+void Cavity::make_triangles(TetMesh& mesh, Block& block) {
   const auto removed = surface_.removed();
   for (int i = 0; i < surface_.border_size(); ++i) {
     auto& border = surface_.border(i);
@@ -42,24 +56,25 @@ void Cavity::make_triangles(TetMesh& mesh, Block& block, VertexId apex) {
     block.remove_triangle(mesh, removed[i]);
   for (int i = 0; i < surface_.border_size(); ++i) {
     const auto& border = surface_.border(i);
-    mesh.triangles[border.made] = {
-        {apex, border.a, border.b}, border.patch, {outside, outside}, {border.line_ab, border.line_bp, border.line_pa}};
+    mesh.triangles[border.made] = {{apex_.id, border.a, border.b},
+                                   border.patch,
+                                   {outside, outside},
+                                   {border.line_ab, border.line_bp, border.line_pa}};
   }
 }
 
-void Cavity::make_tet(TetMesh& mesh, VertexId apex, int i) {
+void Cavity::make_tet(TetMesh& mesh, int i) {
   const HullFace& face = faces_[i];
   const TetId t = made_[i];
   Tet& tet = mesh.tets[t];
-  tet.v = {apex, face.v[0], face.v[1], face.v[2]};
-  tet.quality = static_cast<float>(batch.quality[i]);
-  tet.tried = 0;
+  tet.v = {apex_.id, face.v[0], face.v[1], face.v[2]};
+  tet.state = {.quality = static_cast<float>(batch.quality[i]), .tried = {}};
   mesh.region_of_tet[t] = old_regions_[face.owner];
   tet.n[0] = old_links_[face.owner][face.face];
   relink(mesh, tet.n[0], FaceLink::to_face(tets[face.owner], face.face), FaceLink::to_face(t, 0));
   for (VertexId v : tet.v) {
     mesh.tet_of_vertex[v] = t;
-    mesh.restless[v] = 1;
+    mesh.state_of_vertex[v].restless = true;
   }
 }
 
@@ -99,6 +114,7 @@ void Cavity::glue_side(TetMesh& mesh, int i, int k) {
 
 void Cavity::release(TetMesh& mesh, Block& block) {
   for (int i = batch.size(); i < tets.size(); ++i) block.remove_tet(mesh, tets[i]);
+  if (gone_ != none) block.remove_vertex(mesh, gone_);
 }
 
 }  // namespace taut

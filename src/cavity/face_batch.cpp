@@ -44,9 +44,7 @@ void FaceBatch::evaluate(const Vertex& apex) {
     // The determinant by its pivots: cofactors lose all digits on a rotated metric of anisotropy 1e4.
     const double i0 = 1 / m0, d1 = m3 - m1 * i0 * m1, r = m4 - m2 * i0 * m1;
     const double det = m0 * (d1 * (m5 - m2 * i0 * m2) - r * r);
-    const auto form = [&](double x, double y, double z) {
-      return (m0 * x + 2 * (m1 * y + m2 * z)) * x + (m3 * y + 2 * (m4 * z)) * y + m5 * z * z;
-    };
+    const auto form = [&](double x, double y, double z) { return quadratic_form(m0, m1, m2, m3, m4, m5, x, y, z); };
     // With p at the origin the six squared lengths add up to 4 (|a|^2 + |b|^2 + |c|^2) - |a + b + c|^2.
     const double s =
         4 * (form(ax, ay, az) + form(bx, by, bz) + form(cx, cy, cz)) - form(ax + bx + cx, ay + by + cy, az + bz + cz);

@@ -22,6 +22,13 @@ public:
   /// it (method of Dobrzynski and Frey 2008, 2.3, M_K the mean of the four metrics; negative where inverted).
   void evaluate(const Vertex& apex);
 
+  /// Whether every quality is above the bound.
+  [[nodiscard]] bool all_above(double bound) const {
+    for (int i = 0; i < size_; ++i)
+      if (!(quality[i] > bound)) return false;
+    return true;
+  }
+
   alignas(64) std::array<double, capacity> volume{};
   alignas(64) std::array<double, capacity> quality{};
   alignas(64) std::array<double, capacity> doubtful_volume{};  ///< up to it the sign of `volume` is not certain

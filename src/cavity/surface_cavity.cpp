@@ -46,7 +46,7 @@ int SurfaceCavity::find_border(VertexId a, VertexId b) const {
   return -1;
 }
 
-Refusal SurfaceCavity::rejoin(const TetMesh& mesh, const Model& model, const Apex& apex, VertexId gone) {
+Outcome SurfaceCavity::rejoin(const TetMesh& mesh, const Model& model, const Apex& apex, VertexId gone) {
   for (TriangleId t : removed()) {
     const Triangle& triangle = mesh.triangles[t];
     for (int k = 0; k < 3; ++k)
@@ -60,10 +60,10 @@ Refusal SurfaceCavity::rejoin(const TetMesh& mesh, const Model& model, const Ape
       if (e.b != apex.id) toggle_end(e.b, e.patch, e.line);
       continue;
     }
-    if (e.count > 2 || (e.line != none && (e.count == 2 || at_apex))) return Refusal::geometry;
+    if (e.count > 2 || (e.line != none && (e.count == 2 || at_apex))) return Outcome::geometry;
     if (e.count == 2 || at_apex) continue;
-    if (e.a == gone || e.b == gone) return Refusal::geometry;
-    if (border_size_ == capacity || find_border(e.a, e.b) >= 0) return Refusal::geometry;
+    if (e.a == gone || e.b == gone) return Outcome::geometry;
+    if (border_size_ == capacity || find_border(e.a, e.b) >= 0) return Outcome::geometry;
     border_[border_size_++] = {e.a, e.b, e.patch, e.line, none, none, none};
   }
   for (int i = 0; i < border_size_; ++i) {
@@ -72,8 +72,8 @@ Refusal SurfaceCavity::rejoin(const TetMesh& mesh, const Model& model, const Ape
     b.line_bp = line_to(b.b, b.patch);
   }
   for (int i = 0; i < end_size_; ++i)
-    if (ends_[i].open && (!ends_[i].used || ends_[i].v == gone)) return Refusal::geometry;
-  return Refusal::accepted;
+    if (ends_[i].open && (!ends_[i].used || ends_[i].v == gone)) return Outcome::geometry;
+  return Outcome::accepted;
 }
 
 }  // namespace taut

@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include "cavity/refusal.hpp"
+#include "cavity/outcome.hpp"
 #include "geometry/model.hpp"
 #include "mesh/tet_mesh.hpp"
 
@@ -13,9 +13,15 @@ namespace taut {
 /// The vertex to which a cavity is re-joined: one of the mesh's, or one about to be made.
 struct Apex {
   VertexId id = none;
-  Vertex vertex;
-  Tag tag;
+  Vertex vertex{};
+  Tag tag{};
+  CellId host = none;  ///< of one about to be made
 };
+
+/// A vertex of the mesh as apex.
+[[nodiscard]] inline Apex apex_at(const TetMesh& mesh, VertexId v) {
+  return {v, mesh.vertices[v], mesh.tag_of_vertex[v]};
+}
 
 /// Within each patch, the border edges of the triangles removed are joined to the apex; so are, within each line, the
 /// end points of the feature edges removed.
@@ -34,7 +40,7 @@ public:
   void clear() { removed_size_ = border_size_ = edge_size_ = end_size_ = 0; }
   [[nodiscard]] bool empty() const { return removed_size_ == 0; }
   [[nodiscard]] bool remove(TriangleId t);
-  [[nodiscard]] Refusal rejoin(const TetMesh& mesh, const Model& model, const Apex& apex, VertexId gone);
+  [[nodiscard]] Outcome rejoin(const TetMesh& mesh, const Model& model, const Apex& apex, VertexId gone);
 
   [[nodiscard]] int border_size() const { return border_size_; }
   [[nodiscard]] Border& border(int i) { return border_[i]; }

@@ -24,6 +24,11 @@ public:
     tets_[size_++] = t;
     return true;
   }
+  /// What there is room for of `tets`: always all of a shell.
+  void assign(std::span<const TetId> tets) {
+    clear();
+    for (TetId t : tets) (void)add(t);
+  }
   [[nodiscard]] bool contains(TetId t) const { return index_.contains(t); }
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] TetId operator[](int i) const { return tets_[i]; }

@@ -30,9 +30,8 @@ std::span<const double> VertexBatch::lengths(const Vertex& apex) {
   const int lanes = (size_ + 3) & ~3;  // whole vectors: the lanes beyond the end hold numbers nobody reads
   for (int i = 0; i < lanes; ++i) {
     const double x = x_[0][i] - p[0], y = x_[1][i] - p[1], z = x_[2][i] - p[2];
-    const double a = (m[0] * x + 2 * (m[1] * y + m[2] * z)) * x + (m[3] * y + 2 * (m[4] * z)) * y + m[5] * z * z;
-    const double b = (m_[0][i] * x + 2 * (m_[1][i] * y + m_[2][i] * z)) * x + (m_[3][i] * y + 2 * (m_[4][i] * z)) * y +
-                     m_[5][i] * z * z;
+    const double a = quadratic_form(m[0], m[1], m[2], m[3], m[4], m[5], x, y, z);
+    const double b = quadratic_form(m_[0][i], m_[1][i], m_[2][i], m_[3][i], m_[4][i], m_[5][i], x, y, z);
     lengths_[i] = simpson_mean(std::sqrt(a), std::sqrt(b));
   }
   return {lengths_.data(), static_cast<std::size_t>(size_)};

@@ -3,18 +3,16 @@
 
 #include "geometry/model.hpp"
 #include "mesh/build.hpp"
-#include "taut/adapt.hpp"
 #include "taut/mesh.hpp"
+#include "taut/surface.hpp"
 
 namespace taut {
 
 /// The geometry of a freshly built mesh. Sets the patch and the lines of its triangles and the tags of its vertices.
 ///
-/// Feature edges are: edges of the input; edges where other than two triangles meet, or two of different reference, or
-/// two whose normals differ by `ridge_angle` degrees or more; edges between required triangles and others. Patches are
-/// what the feature edges part. A patch that is not planar is frozen, and with `Surface::fixed` every one. A vertex on
-/// two collinear feature edges of one kind lies on a line, any other vertex of a feature edge is a corner.
-/// Throws InputError for an edge of the input that is no edge of the mesh.
+/// Patches are what the feature edges (geometry/features.hpp) part. A patch that is not planar is frozen, and with
+/// `Surface::fixed` every one. A vertex on two collinear feature edges of one kind lies on a line, any other vertex of
+/// a feature edge is a corner. Throws InputError for an edge of the input that is no edge of the mesh.
 [[nodiscard]] Model classify(const Mesh& input, Built& built, Surface surface, double ridge_angle);
 
 }  // namespace taut

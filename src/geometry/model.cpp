@@ -1,37 +1,65 @@
 #include "geometry/model.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace taut {
 namespace {
 
-bool contains(const std::vector<std::uint32_t>& ids, std::uint32_t id) {
+template <class Id>
+bool contains(const std::vector<Id>& ids, Id id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
+template <class Id>
+void keep_each_once(std::vector<Id>& ids) {
+  std::ranges::sort(ids);
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+struct Projection {
+  const Vec3& x;
+  Vec3 operator()(const Frozen&) const { return x; }
+  Vec3 operator()(const Plane& plane) const { return x - (dot(plane.normal, x) - plane.offset) * plane.normal; }
+};
+
+struct Normal {
+  Vec3 operator()(const Frozen&) const { return {}; }
+  Vec3 operator()(const Plane& plane) const { return plane.normal; }
+};
+
 }  // namespace
 
+CornerId Model::add_corner(Corner corner) {
+  std::erase_if(corner.patches, [&](PatchId p) { return patches[p].frozen(); });
+  std::erase_if(corner.lines, [&](LineId l) { return lines[l].frozen; });
+  keep_each_once(corner.patches);
+  keep_each_once(corner.lines);
+  if (corner.patches.empty() && corner.lines.empty()) return shared_corner;
+  corners.push_back(std::move(corner));
+  return static_cast<CornerId>(corners.size() - 1);
+}
+
 bool Model::on_patch(Tag tag, PatchId patch) const {
-  if (tag.dimension == 3 || patches[patch].frozen) return false;
-  if (tag.dimension == 2) return tag.id == patch;
-  return contains(tag.dimension == 1 ? lines[tag.id].patches : corners[tag.id].patches, patch);
+  if (tag.is_in_volume() || patches[patch].frozen()) return false;
+  if (tag.is_on_patch()) return tag.patch() == patch;
+  return contains(tag.is_on_line() ? lines[tag.line()].patches : corners[tag.corner()].patches, patch);
 }
 
 bool Model::on_line(Tag tag, LineId line) const {
-  if (tag.dimension > 1 || lines[line].frozen) return false;
-  return tag.dimension == 1 ? tag.id == line : contains(corners[tag.id].lines, line);
+  if (tag.is_in_volume() || tag.is_on_patch() || lines[line].frozen) return false;
+  return tag.is_on_line() ? tag.line() == line : contains(corners[tag.corner()].lines, line);
 }
 
 Vec3 Model::project(Tag tag, const Vec3& x) const {
-  if (tag.dimension == 2) {
-    const Patch& patch = patches[tag.id];
-    return x - (dot(patch.normal, x) - patch.offset) * patch.normal;
-  }
-  if (tag.dimension == 1) {
-    const Line& line = lines[tag.id];
-    return line.origin + dot(x - line.origin, line.direction) * line.direction;
-  }
-  return x;
+  if (tag.is_on_patch()) return std::visit(Projection{x}, patches[tag.patch()].shape);
+  if (!tag.is_on_line()) return x;
+  const Line& line = lines[tag.line()];
+  return line.origin + dot(x - line.origin, line.direction) * line.direction;
+}
+
+Vec3 Model::normal(Tag tag, const Vec3& /*x*/) const {
+  return tag.is_on_patch() ? std::visit(Normal{}, patches[tag.patch()].shape) : Vec3{};
 }
 
 }  // namespace taut

@@ -3,21 +3,30 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
+#include <variant>
 #include <vector>
 
+#include "base/ids.hpp"
 #include "base/vec3.hpp"
-#include "mesh/tet_mesh.hpp"
 
 namespace taut {
 
-/// A connected set of triangles of one reference between feature lines. Planar, or frozen: then nothing on it changes.
+/// A patch on which nothing changes.
+struct Frozen {};
+
+/// normal . x = offset.
+struct Plane {
+  Vec3 normal{};  ///< of unit length
+  double offset = 0;
+};
+
+/// A connected set of triangles of one reference between feature lines.
 struct Patch {
   int ref = 0;
-  bool frozen = false;
   bool required = false;
-  Vec3 normal{};
-  double offset = 0;  ///< normal . x on the patch
+  std::variant<Frozen, Plane> shape{};
+
+  [[nodiscard]] bool frozen() const { return std::holds_alternative<Frozen>(shape); }
 };
 
 /// A straight chain of feature edges between two corners.
@@ -52,21 +61,29 @@ struct InnerEdge {
   bool sharp = false, required = false;
 };
 
+inline constexpr CornerId shared_corner{0};
+
 class Model {
 public:
   std::vector<Patch> patches;
   std::vector<Line> lines;
-  std::vector<Corner> corners;
+  std::vector<Corner> corners{1};  ///< the first is the one shared
   std::vector<Region> regions;
   std::vector<InnerEdge> inner_edges;
   bool has_frozen_region = false;
+
+  /// A corner of those of its patches and lines that may change.
+  CornerId add_corner(Corner corner);
 
   /// Whether a vertex so tagged lies in the closure of a patch that may change.
   [[nodiscard]] bool on_patch(Tag tag, PatchId patch) const;
   /// Whether a vertex so tagged lies in the closure of a line that may change.
   [[nodiscard]] bool on_line(Tag tag, LineId line) const;
-  /// The point of the vertex's patch or line nearest to x; x itself in the volume.
+  /// The point of the vertex's patch or line nearest to x; x itself in the volume, at a corner and on what is frozen.
   [[nodiscard]] Vec3 project(Tag tag, const Vec3& x) const;
+  /// The unit normal of the vertex's patch at the point nearest to x, in the sense of its triangles. Zero where there
+  /// is no one normal: in the volume, on lines, at corners, on what is frozen.
+  [[nodiscard]] Vec3 normal(Tag tag, const Vec3& x) const;
 };
 
 }  // namespace taut

@@ -1,16 +1,31 @@
 #include "geometry/patches.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
 
 namespace taut {
 namespace {
 
+using Pair = std::array<TriangleId, 2>;
+
+// Triangles that no feature parts. Both lists of edges are ascending.
+std::vector<Pair> joined_triangles(const std::vector<EdgeUse>& uses_of_edges, std::span<const Feature> features) {
+  std::vector<Pair> joined;
+  auto feature = features.begin();
+  for_each_edge(uses_of_edges, [&](std::span<const EdgeUse> uses) {
+    if (feature != features.end() && feature->edge == uses[0].edge)
+      ++feature;
+    else
+      joined.push_back({uses[0].triangle, uses[1].triangle});
+  });
+  return joined;
+}
+
 // Union-find; the smallest triangle of a set is its root.
-std::vector<TriangleId> roots(std::size_t triangles, std::span<const std::array<TriangleId, 2>> joined) {
-  std::vector<TriangleId> parent(triangles);
-  std::iota(parent.begin(), parent.end(), TriangleId{0});
+std::vector<TriangleId> roots(std::size_t triangles, std::span<const Pair> joined) {
+  std::vector<TriangleId> parent;
+  for (const TriangleId t : ids<TriangleId>(triangles)) parent.push_back(t);
   const auto root = [&](TriangleId t) {
     while (parent[t] != t) t = parent[t] = parent[parent[t]];
     return t;
@@ -19,7 +34,7 @@ std::vector<TriangleId> roots(std::size_t triangles, std::span<const std::array<
     const TriangleId a = root(s), b = root(t);
     parent[std::max(a, b)] = std::min(a, b);
   }
-  for (TriangleId t = 0; t < triangles; ++t) parent[t] = root(t);
+  for (TriangleId& t : parent) t = root(t);
   return parent;
 }
 
@@ -34,40 +49,59 @@ void snap_to_axis(Vec3& normal) {
   }
 }
 
-void fit_planes(const TetMesh& mesh, std::vector<Patch>& patches) {
-  std::vector<double> largest(patches.size(), -1);
+// The plane of the largest triangle of each patch.
+std::vector<Plane> fitted_planes(const TetMesh& mesh, std::size_t patches) {
+  std::vector<Plane> planes(patches);
+  std::vector<double> largest(patches, -1);
   for (const Triangle& t : mesh.triangles) {
-    Patch& patch = patches[t.patch];
     const Vec3 normal = cross(mesh.x(t.v[1]) - mesh.x(t.v[0]), mesh.x(t.v[2]) - mesh.x(t.v[0]));
     const double area = norm(normal);
     if (area <= largest[t.patch]) continue;
     largest[t.patch] = area;
-    patch.normal = (1 / area) * normal;
-    snap_to_axis(patch.normal);
-    patch.offset = dot(patch.normal, mesh.x(t.v[0]));
+    Plane& plane = planes[t.patch];
+    plane.normal = (1 / area) * normal;
+    snap_to_axis(plane.normal);
+    plane.offset = dot(plane.normal, mesh.x(t.v[0]));
   }
+  return planes;
 }
 
 }  // namespace
 
-std::vector<Patch> make_patches(TetMesh& mesh, std::span<const std::array<TriangleId, 2>> joined,
-                                std::span<const int> refs, std::span<const std::uint8_t> required, double tolerance) {
-  const std::vector<TriangleId> root = roots(mesh.triangles.size(), joined);
+// So many times the size of the whole: coordinates written with ten digits pass.
+double flatness_tolerance(const TetMesh& mesh) {
+  constexpr double flatness = 1e-9;
+  Vec3 low = mesh.vertices[0].x, high = low;
+  for (const Vertex& v : mesh.vertices)
+    for (int d = 0; d < 3; ++d) low[d] = std::min(low[d], v.x[d]), high[d] = std::max(high[d], v.x[d]);
+  return flatness * norm(high - low);
+}
+
+std::vector<Patch> group_patches(TetMesh& mesh, const std::vector<EdgeUse>& uses, std::span<const Feature> features,
+                                 std::span<const int> refs, std::span<const std::uint8_t> required) {
+  const std::vector<TriangleId> root = roots(mesh.triangles.size(), joined_triangles(uses, features));
   std::vector<Patch> patches;
-  for (TriangleId t = 0; t < mesh.triangles.size(); ++t) {
+  for (const TriangleId t : mesh.triangle_ids()) {
     if (root[t] != t) {
       mesh.triangles[t].patch = mesh.triangles[root[t]].patch;
       continue;
     }
     mesh.triangles[t].patch = static_cast<PatchId>(patches.size());
-    patches.push_back({refs[t], required[t] != 0, required[t] != 0, {}, 0});
-  }
-  fit_planes(mesh, patches);
-  for (const Triangle& t : mesh.triangles) {
-    Patch& patch = patches[t.patch];
-    for (VertexId v : t.v) patch.frozen |= std::fabs(dot(patch.normal, mesh.x(v)) - patch.offset) > tolerance;
+    patches.push_back({.ref = refs[t], .required = required[t] != 0});
   }
   return patches;
+}
+
+void find_shapes(const TetMesh& mesh, std::vector<Patch>& patches, double tolerance) {
+  const std::vector<Plane> planes = fitted_planes(mesh, patches.size());
+  std::vector<std::uint8_t> planar(patches.size(), 1);
+  for (const Triangle& t : mesh.triangles) {
+    const Plane& plane = planes[t.patch];
+    for (VertexId v : t.v)
+      if (std::fabs(dot(plane.normal, mesh.x(v)) - plane.offset) > tolerance) planar[t.patch] = 0;
+  }
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    if (planar[p] != 0 && !patches[p].required) patches[p].shape = planes[p];
 }
 
 }  // namespace taut

@@ -18,8 +18,9 @@ std::vector<EdgeUse> edge_uses(const std::vector<Triangle>& triangles) {
   std::vector<EdgeUse> result(uses.size());
   for_each_index(uses.size(), [&](std::size_t i) {
     const auto& [edge, corner] = uses[i];
-    result[i] = {
-        {static_cast<VertexId>(edge >> 32), static_cast<VertexId>(edge)}, corner / 3, static_cast<int>(corner % 3)};
+    result[i] = {{static_cast<VertexId>(edge >> 32), static_cast<VertexId>(edge)},
+                 static_cast<TriangleId>(corner / 3),
+                 static_cast<int>(corner % 3)};
   });
   return result;
 }

@@ -33,9 +33,12 @@ Buckets<Face> gather_faces(const TetMesh& mesh) {
   const std::size_t tets = mesh.tets.size();
   return gather<Face>(tets + mesh.triangles.size(), mesh.vertices.size(), [&](std::size_t i, auto put) {
     const auto put_face = [&](const std::array<VertexId, 3>& v, FaceLink link) { put(v[0], {v[1], v[2], link}); };
-    const auto id = static_cast<std::uint32_t>(i < tets ? i : i - tets);
-    if (i >= tets) return put_face(ascending(mesh.triangles[id].v), FaceLink::to_triangle(id));
-    for (int f = 0; f < 4; ++f) put_face(ascending(mesh.face(id, f)), FaceLink::to_face(id, f));
+    if (i >= tets) {
+      const auto t = static_cast<TriangleId>(i - tets);
+      return put_face(ascending(mesh.triangles[t].v), FaceLink::to_triangle(t));
+    }
+    const auto t = static_cast<TetId>(i);
+    for (int f = 0; f < 4; ++f) put_face(ascending(mesh.face(t, f)), FaceLink::to_face(t, f));
   });
 }
 
@@ -51,10 +54,6 @@ void for_each_group(std::span<Face> faces, Visit visit) {
   }
 }
 
-bool same_cycle(const std::array<VertexId, 3>& a, const std::array<VertexId, 3>& b) {
-  return (a[0] == b[0] && a[1] == b[1]) || (a[0] == b[1] && a[1] == b[2]) || (a[0] == b[2] && a[1] == b[0]);
-}
-
 class Connector {
 public:
   Connector(TetMesh& mesh, const Mesh& input, const std::vector<int>& region_refs)
@@ -66,9 +65,9 @@ public:
         collect_in_order<Sides>(Chunks(faces.keys(), vertices_a_task), [&](std::vector<Sides>& found, std::size_t v) {
           for_each_group(faces[v], [&](std::span<const Face> group) { join(group, found); });
         });
-    const auto given = static_cast<TriangleId>(mesh_.triangles.size());
-    mesh_.triangles.resize(given + bare.size());
-    for_each_index(bare.size(), [&](std::size_t i) { put_triangle(given + static_cast<TriangleId>(i), bare[i]); });
+    const std::size_t given = mesh_.triangles.size();
+    mesh_.resize_triangles(given + bare.size());
+    for_each_index(bare.size(), [&](std::size_t i) { put_triangle(static_cast<TriangleId>(given + i), bare[i]); });
   }
 
 private:
@@ -93,7 +92,7 @@ private:
   [[nodiscard]] int ref(FaceLink face) const { return region_refs_[mesh_.region_of_tet[face.tet()]]; }
 
   std::array<Index, 3> points_of(FaceLink face) const {
-    std::array<Index, 3> v = mesh_.face(face.tet(), face.face());
+    std::array<Index, 3> v = indices(mesh_.face(face.tet(), face.face()));
     for (Index& i : v) i = mesh_.origin_of_vertex[i];
     return v;
   }

@@ -22,10 +22,10 @@ void add_vertices(const Mesh& input, Built& built) {
   mesh.resize_vertices(used.size());
   for_each_index(used.size(), [&](std::size_t i) {
     const auto v = static_cast<VertexId>(i);
-    mesh.put_vertex(v, {input.points[used[v]], {}}, {}, none);
-    mesh.tet_of_vertex[v] = tet_of_point[used[v]];
-    mesh.origin_of_vertex[v] = used[v];
-    built.vertex_of_point[used[v]] = v;
+    mesh.put_vertex(v, {input.points[used[i]], {}}, {}, none);
+    mesh.tet_of_vertex[v] = tet_of_point[used[i]];
+    mesh.origin_of_vertex[v] = used[i];
+    built.vertex_of_point[used[i]] = v;
   });
 }
 
@@ -52,7 +52,6 @@ void number_regions(const Mesh& input, Built& built) {
     built.region_required.push_back(required);
   }
   const std::vector<RegionKey> sorted(regions.begin(), regions.end());
-  built.mesh.region_of_tet.resize(key.size());
   for_each_index(key.size(), [&](std::size_t t) {
     const auto at = std::lower_bound(sorted.begin(), sorted.end(), key[t]);
     built.mesh.region_of_tet[t] = static_cast<RegionId>(at - sorted.begin());
@@ -61,7 +60,6 @@ void number_regions(const Mesh& input, Built& built) {
 
 void add_tets(const Mesh& input, Built& built) {
   TetMesh& mesh = built.mesh;
-  mesh.tets.resize(input.tetrahedra.size());
   built.reoriented = sum_in_order<std::size_t>(mesh.tets.size(), [&](std::size_t& reoriented, std::size_t t) {
     const auto& v = input.tetrahedra[t];
     Tet& tet = mesh.tets[t];
@@ -76,7 +74,7 @@ void add_tets(const Mesh& input, Built& built) {
 
 void add_triangles(const Mesh& input, Built& built) {
   auto& triangles = built.mesh.triangles;
-  triangles.resize(input.triangles.size());
+  built.mesh.resize_triangles(input.triangles.size());
   for_each_index(input.triangles.size(), [&](std::size_t i) {
     for (int k = 0; k < 3; ++k) {
       triangles[i].v[k] = built.vertex_of_point[input.triangles[i][k]];
@@ -89,22 +87,17 @@ void add_triangles(const Mesh& input, Built& built) {
   built.triangle_refs.resize(triangles.size(), 0);
 }
 
-// reorder() moves the triangles: their patch, still unused, carries their old number along.
 void order(const Mesh& input, Built& built) {
   TetMesh& mesh = built.mesh;
-  auto& triangles = mesh.triangles;
-  for_each_index(triangles.size(), [&](std::size_t t) { triangles[t].patch = static_cast<PatchId>(t); });
-  reorder(mesh);
+  Renumbering map = reorder(mesh);
   for_each_index(mesh.vertices.size(),
                  [&](std::size_t v) { built.vertex_of_point[mesh.origin_of_vertex[v]] = static_cast<VertexId>(v); });
-  built.triangle_of_input.resize(input.triangles.size());
-  std::vector<int> refs(triangles.size());
-  for_each_index(triangles.size(), [&](std::size_t t) {
-    const std::uint32_t old = triangles[t].patch;
-    refs[t] = built.triangle_refs[old];
-    if (old < input.triangles.size()) built.triangle_of_input[old] = static_cast<TriangleId>(t);
-  });
+  std::vector<int> refs(mesh.triangles.size());
+  for_each_index(refs.size(), [&](std::size_t old) { refs[map.triangle[old]] = built.triangle_refs[old]; });
   built.triangle_refs.swap(refs);
+  map.triangle.resize(input.triangles.size());
+  built.triangle_of_input = std::move(map.triangle);
+  built.tet_of_input = std::move(map.tet);
 }
 
 }  // namespace
@@ -113,6 +106,7 @@ Built build(const Mesh& input) {
   require_sound_arrays(input);
   Built built;
   add_vertices(input, built);
+  built.mesh.resize_tets(input.tetrahedra.size());
   number_regions(input, built);
   add_tets(input, built);
   add_triangles(input, built);

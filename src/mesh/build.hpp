@@ -12,6 +12,7 @@ struct Built {
   TetMesh mesh;                           ///< in Hilbert order; no patches, lines, tags or metrics yet
   std::vector<VertexId> vertex_of_point;  ///< `none` for a point of no tetrahedron
   std::vector<TriangleId> triangle_of_input;
+  std::vector<TetId> tet_of_input;
   std::vector<int> region_refs;               ///< reference of each region
   std::vector<std::uint8_t> region_required;  ///< whether it holds the required tetrahedra of that reference
   std::vector<int> triangle_refs;             ///< reference of each triangle of `mesh`; 0 for those built

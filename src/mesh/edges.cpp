@@ -28,11 +28,11 @@ std::size_t vertex_bound(Tets tets) {
 
 // Moves one of each to the front and returns these. An edge occurs about five times: marking what was seen, in a hash
 // table with linear probing, leaves a fifth to be sorted.
-std::span<VertexId> distinct(std::span<VertexId> vertices) {
+std::span<Index> distinct(std::span<Index> vertices) {
   const int bits = static_cast<int>(std::bit_width(2 * vertices.size()));
-  std::vector<VertexId> seen(std::size_t{1} << bits, none);
+  std::vector<Index> seen(std::size_t{1} << bits, none);
   std::size_t count = 0;
-  for (const VertexId v : vertices) {
+  for (const Index v : vertices) {
     std::size_t slot = (v * 0x9e3779b9U) >> (32 - bits);
     while (seen[slot] != none && seen[slot] != v) slot = (slot + 1) & (seen.size() - 1);
     if (seen[slot] == v) continue;
@@ -43,15 +43,15 @@ std::span<VertexId> distinct(std::span<VertexId> vertices) {
 
 }  // namespace
 
-std::vector<std::array<VertexId, 2>> edges_of(Tets tets) {
-  auto larger_ends = gather<VertexId>(tets.size(), vertex_bound(tets), [&](std::size_t t, auto put) {
+std::vector<std::array<Index, 2>> edges_of(Tets tets) {
+  auto larger_ends = gather<Index>(tets.size(), vertex_bound(tets), [&](std::size_t t, auto put) {
     for (const auto& [i, j] : edge_vertices) put(std::min(tets[t][i], tets[t][j]), std::max(tets[t][i], tets[t][j]));
   });
-  using Edge = std::array<VertexId, 2>;
+  using Edge = std::array<Index, 2>;
   const auto add_edges_from = [&](std::vector<Edge>& edges, std::size_t v) {
-    const std::span<VertexId> ends = distinct(larger_ends[v]);
+    const std::span<Index> ends = distinct(larger_ends[v]);
     std::ranges::sort(ends);
-    for (const VertexId w : ends) edges.push_back({static_cast<VertexId>(v), w});
+    for (const Index w : ends) edges.push_back({static_cast<Index>(v), w});
   };
   return collect_in_order<Edge>(Chunks(larger_ends.keys(), vertices_a_task), add_edges_from);
 }

@@ -12,12 +12,8 @@ namespace {
 
 using FaceVertices = std::array<VertexId, 3>;
 
-bool same_cycle(const FaceVertices& a, const FaceVertices& b) {
-  return a == b || a == FaceVertices{b[1], b[2], b[0]} || a == FaceVertices{b[2], b[0], b[1]};
-}
-
 bool opposite_cycle(const FaceVertices& a, const FaceVertices& b) {
-  return same_cycle(a, {b[0], b[2], b[1]});
+  return same_cycle(a, FaceVertices{b[0], b[2], b[1]});
 }
 
 std::string name_of(FaceLink link) {
@@ -110,10 +106,15 @@ private:
   std::span<const TetId> among_;      // tetrahedra of which regions are compared; empty: all
 };
 
-bool vertex_arrays_agree(const TetMesh& m) {
-  const std::size_t n = m.vertices.size();
-  return m.tet_of_vertex.size() == n && m.tag_of_vertex.size() == n && m.host_of_vertex.size() == n &&
-         m.origin_of_vertex.size() == n && m.restless.size() == n && m.drift.size() == n;
+bool arrays_agree(const TetMesh& m) {
+  bool agree = true;
+  const auto expect = [&agree](std::size_t n) {
+    return [&agree, n](const auto& array, const auto&) { agree &= array.size() == n; };
+  };
+  TetMesh::for_each_vertex_array(m, expect(m.vertices.size()));
+  TetMesh::for_each_tet_array(m, expect(m.tets.size()));
+  TetMesh::for_each_triangle_array(m, expect(m.triangles.size()));
+  return agree;
 }
 
 std::string count_fault(const char* what, std::size_t found, std::size_t expected) {
@@ -122,12 +123,11 @@ std::string count_fault(const char* what, std::size_t found, std::size_t expecte
 }
 
 std::string first_wrong_count(const TetMesh& m) {
-  if (!vertex_arrays_agree(m)) return "arrays of vertices differ in length";
-  if (m.region_of_tet.size() != m.tets.size()) return "arrays of tetrahedra differ in length";
+  if (!arrays_agree(m)) return "arrays of one entity differ in length";
   const auto living = [](const auto& entities) {
     return static_cast<std::size_t>(std::ranges::count_if(entities, [](const auto& e) { return e.alive(); }));
   };
-  const auto vertices = m.tet_of_vertex.size() - std::ranges::count(m.tet_of_vertex, none);
+  const auto vertices = m.tet_of_vertex.size() - std::ranges::count(m.tet_of_vertex, TetId{none});
   if (auto fault = count_fault("vertices", vertices, m.vertex_count()); !fault.empty()) return fault;
   if (auto fault = count_fault("tetrahedra", living(m.tets), m.tet_count()); !fault.empty()) return fault;
   return count_fault("triangles", living(m.triangles), m.triangle_count());
@@ -138,13 +138,13 @@ std::string first_wrong_count(const TetMesh& m) {
 std::string first_broken_invariant(const TetMesh& mesh, std::span<const int> region_refs) {
   if (std::string fault = first_wrong_count(mesh); !fault.empty()) return fault;
   const Inspector inspect(mesh, region_refs);
-  for (VertexId v = 0; v < mesh.vertices.size(); ++v)
+  for (const VertexId v : mesh.vertex_ids())
     if (mesh.is_vertex_alive(v))
       if (std::string fault = inspect.vertex(v); !fault.empty()) return fault;
-  for (TriangleId t = 0; t < mesh.triangles.size(); ++t)
+  for (const TriangleId t : mesh.triangle_ids())
     if (mesh.triangles[t].alive())
       if (std::string fault = inspect.triangle(t); !fault.empty()) return fault;
-  for (TetId t = 0; t < mesh.tets.size(); ++t)
+  for (const TetId t : mesh.tet_ids())
     if (mesh.tets[t].alive())
       if (std::string fault = inspect.tet(t); !fault.empty()) return fault;
   return {};

@@ -1,5 +1,7 @@
 #include "mesh/tet_mesh.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "taut/error.hpp"
@@ -8,68 +10,87 @@ namespace taut {
 namespace {
 
 // A link packs 4 t + f beside one bit that tells triangles from tetrahedra.
-constexpr std::size_t max_tets = std::size_t{1} << 29;
+constexpr std::size_t most_tets = std::size_t{1} << 29;
+constexpr std::size_t most_triangles = std::size_t{1} << 30;
+constexpr std::size_t most_vertices = std::size_t{1} << 31;
 
-std::uint32_t pop(std::vector<std::uint32_t>& free) {
-  const std::uint32_t id = free.back();
-  free.pop_back();
-  return id;
+void require_ids(const char* what, std::size_t count, std::size_t most) {
+  if (count >= most)
+    throw Failure(fmt::format("{} {} needed, beyond the 32-bit ids: expected fewer than {}", count, what, most));
 }
 
-// Returns how many of `count` ids are new, counted from `size`.
-std::size_t lend(std::vector<std::uint32_t>& free, std::size_t size, std::size_t count, IdPool& to) {
+// Takes `count` ids, free ones first; the others are new, counted from `size`, and need room.
+template <class Id>
+std::vector<Id> lend(std::vector<Id>& free, std::size_t size, std::size_t count) {
   const std::size_t reused = std::min(count, free.size());
-  for (std::size_t i = 0; i < reused; ++i) to.add(pop(free));
-  for (std::size_t i = reused; i < count; ++i) to.add(static_cast<std::uint32_t>(size + i - reused));
-  return count - reused;
+  std::vector<Id> lent(free.rbegin(), free.rbegin() + static_cast<std::ptrdiff_t>(reused));
+  free.resize(free.size() - reused);
+  lent.reserve(count);
+  for (std::size_t i = reused; i < count; ++i) lent.push_back(static_cast<Id>(size + i - reused));
+  return lent;
+}
+
+template <class Id>
+std::size_t size_with(const std::vector<Id>& lent, std::size_t size) {
+  return lent.empty() ? size : std::max(size, std::size_t{lent.back()} + 1);
+}
+
+template <class Id>
+void append(std::vector<Id>& free, std::span<const Id> dead) {
+  free.insert(free.end(), dead.begin(), dead.end());
 }
 
 }  // namespace
 
 void TetMesh::resize_vertices(std::size_t count) {
-  vertices.resize(count);
-  tet_of_vertex.resize(count, none);
-  tag_of_vertex.resize(count);
-  host_of_vertex.resize(count, none);
-  origin_of_vertex.resize(count, none);
-  restless.resize(count, 0);
-  drift.resize(count, 0);
+  require_ids("vertices", count, most_vertices);
+  for_each_vertex_array(*this, [&](auto& array, const auto& dead) { array.resize(count, dead); });
 }
 
 void TetMesh::resize_tets(std::size_t count) {
-  if (count > max_tets) throw Failure("more than 2^29 tetrahedra: beyond 32-bit ids");
-  tets.resize(count);
-  region_of_tet.resize(count, 0);
+  require_ids("tetrahedra", count, most_tets);
+  for_each_tet_array(*this, [&](auto& array, const auto& dead) { array.resize(count, dead); });
 }
 
-void TetMesh::put_vertex(VertexId v, const Vertex& vertex, Tag tag, std::uint32_t host) {
+void TetMesh::resize_triangles(std::size_t count) {
+  require_ids("triangles", count, most_triangles);
+  for_each_triangle_array(*this, [&](auto& array, const auto& dead) { array.resize(count, dead); });
+}
+
+void TetMesh::put_vertex(VertexId v, const Vertex& vertex, Tag tag, CellId host) {
   vertices[v] = vertex;
   tag_of_vertex[v] = tag;
   host_of_vertex[v] = host;
   origin_of_vertex[v] = none;
-  restless[v] = 1;
-  drift[v] = 0;
+  state_of_vertex[v] = {};
 }
 
-void TetMesh::lend_vertices(std::size_t count, IdPool& to) {
-  const std::size_t fresh = lend(free_vertices_, vertices.size(), count, to);
-  resize_vertices(vertices.size() + fresh);
+std::vector<VertexId> TetMesh::lend_vertices(std::size_t count) {
+  auto lent = lend(free_vertices_, vertices.size(), count);
+  resize_vertices(size_with(lent, vertices.size()));
+  return lent;
 }
 
-void TetMesh::lend_tets(std::size_t count, IdPool& to) {
-  const std::size_t fresh = lend(free_tets_, tets.size(), count, to);
-  resize_tets(tets.size() + fresh);
+std::vector<TetId> TetMesh::lend_tets(std::size_t count) {
+  auto lent = lend(free_tets_, tets.size(), count);
+  resize_tets(size_with(lent, tets.size()));
+  return lent;
 }
 
-void TetMesh::lend_triangles(std::size_t count, IdPool& to) {
-  const std::size_t fresh = lend(free_triangles_, triangles.size(), count, to);
-  triangles.resize(triangles.size() + fresh);
+std::vector<TriangleId> TetMesh::lend_triangles(std::size_t count) {
+  auto lent = lend(free_triangles_, triangles.size(), count);
+  resize_triangles(size_with(lent, triangles.size()));
+  return lent;
 }
 
-void TetMesh::take_back(IdPool& vertex_ids, IdPool& tet_ids, IdPool& triangle_ids) {
-  vertex_ids.return_to(free_vertices_);
-  tet_ids.return_to(free_tets_);
-  triangle_ids.return_to(free_triangles_);
+void TetMesh::take_back(std::span<const VertexId> dead) {
+  append(free_vertices_, dead);
+}
+void TetMesh::take_back(std::span<const TetId> dead) {
+  append(free_tets_, dead);
+}
+void TetMesh::take_back(std::span<const TriangleId> dead) {
+  append(free_triangles_, dead);
 }
 
 }  // namespace taut

@@ -3,28 +3,15 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/ids.hpp"
 #include "base/sym3.hpp"
+#include "base/trials.hpp"
 #include "base/vec3.hpp"
-#include "mesh/id_pool.hpp"
 
 namespace taut {
-
-using PatchId = std::uint32_t;
-using LineId = std::uint32_t;
-using RegionId = std::uint16_t;
-
-/// Where a vertex lives on the geometry, and so where it may go: in the volume, on a patch, on a line, at a corner.
-struct Tag {
-  std::uint32_t dimension : 2 = 3;
-  std::uint32_t id : 30 = 0;  ///< of the patch, line or corner
-
-  constexpr Tag() = default;
-  constexpr Tag(std::uint32_t d, std::uint32_t i) : dimension(d & 3U), id(i & 0x3fffffffU) {}
-  constexpr bool operator==(const Tag&) const = default;
-};
 
 /// Position and metric in one record: whoever reads one reads the other.
 struct Vertex {
@@ -32,50 +19,25 @@ struct Vertex {
   Sym3 m{};
 };
 
-/// What has been tried on a tetrahedron since it was made or last moved: a bit an edge and kind, a bit a face.
-/// Insertion counts as tried for edges that are not too long, collapse for those that are not too short; `not_unit`
-/// marks the edges that are either.
-enum class Trial : std::uint32_t { insertion = 0, collapse = 6, edge_swap = 12, face_swap = 18, not_unit = 22 };
+/// What the adaptation remembers of a vertex. The mesh itself does not depend on it.
+struct VertexState {
+  float drift = 0;       ///< how far the vertex moved, in the metric, since the swaps around it were last tried
+  bool restless = true;  ///< whether relocation may still gain at the vertex
+};
 
-/// Positive, face f opposite to vertex f. `quality` is 1/Q and `tried` the bits of Trial.
+/// What the adaptation remembers of a tetrahedron. Kept in its record: who reads one reads the other.
+struct TetState {
+  float quality = 0;  ///< 1/Q
+  Trials tried;       ///< since the tetrahedron was made or last moved
+};
+
+/// Positive, face f opposite to vertex f.
 struct Tet {
   std::array<VertexId, 4> v{none, none, none, none};
   std::array<FaceLink, 4> n{};
-  float quality = 0;
-  std::uint32_t tried = 0;
+  TetState state{};
 
   [[nodiscard]] bool alive() const { return v[0] != none; }
-  /// Whether every edge (of 6) or face (of 4) was.
-  [[nodiscard]] bool all_tried(Trial kind, std::uint32_t entities) const {
-    const std::uint32_t mask = ((1U << entities) - 1U) << static_cast<std::uint32_t>(kind);
-    return (tried & mask) == mask;
-  }
-  [[nodiscard]] bool was_tried(Trial kind, int entity) const {
-    return ((tried >> (static_cast<std::uint32_t>(kind) + static_cast<std::uint32_t>(entity))) & 1U) != 0;
-  }
-  void set_tried(Trial kind, int entity) {
-    tried |= 1U << (static_cast<std::uint32_t>(kind) + static_cast<std::uint32_t>(entity));
-  }
-  void forget(Trial kind, std::uint32_t entities) { tried &= ~(entities << static_cast<std::uint32_t>(kind)); }
-  /// Swaps, of edges and of faces, may succeed now where they failed.
-  void forget_swaps() {
-    forget(Trial::edge_swap, 0x3fU);
-    forget(Trial::face_swap, 0xfU);
-  }
-  /// Insertion and collapse may succeed now where they failed.
-  void forget_lengths() {
-    const std::uint32_t edges = (tried >> static_cast<std::uint32_t>(Trial::not_unit)) & 0x3fU;
-    forget(Trial::insertion, edges);
-    forget(Trial::collapse, edges);
-  }
-  /// Notes whether an edge was found too long, too short or (both false) unit: only what has a chance is left to try.
-  void set_length(int edge, bool is_long, bool is_short) {
-    const auto bit = [](Trial kind, bool set) { return (set ? 1U : 0U) << static_cast<std::uint32_t>(kind); };
-    const std::uint32_t all = bit(Trial::insertion, true) | bit(Trial::collapse, true) | bit(Trial::not_unit, true);
-    const std::uint32_t found =
-        bit(Trial::insertion, !is_long) | bit(Trial::collapse, !is_short) | bit(Trial::not_unit, is_long || is_short);
-    tried = (tried & ~(all << edge)) | (found << edge);
-  }
   [[nodiscard]] int index_of(VertexId vertex) const {
     return v[0] == vertex ? 0 : v[1] == vertex ? 1 : v[2] == vertex ? 2 : 3;
   }
@@ -87,7 +49,7 @@ struct Tet {
 /// A face that is kept: of the boundary (one side) or between two tetrahedra (two). Seen from side 0 it points outward.
 struct Triangle {
   std::array<VertexId, 3> v{none, none, none};
-  PatchId patch = 0;
+  PatchId patch{};
   std::array<FaceLink, 2> side{};                ///< faces of tetrahedra, or `outside`
   std::array<LineId, 3> line{none, none, none};  ///< feature line on the edge opposite to each vertex
 
@@ -100,15 +62,39 @@ public:
   std::vector<Vertex> vertices;
   std::vector<TetId> tet_of_vertex;  ///< some tetrahedron of each vertex; `none` for a dead one
   std::vector<Tag> tag_of_vertex;
-  std::vector<std::uint32_t> host_of_vertex;    ///< where in the background mesh the vertex lies
+  std::vector<CellId> host_of_vertex;           ///< where in the background mesh the vertex lies
   std::vector<std::uint32_t> origin_of_vertex;  ///< index in the input, or `none`
-  std::vector<std::uint8_t> restless;           ///< set while relocation may still gain at the vertex
-  std::vector<float> drift;  ///< how far it moved, in the metric, since the swaps around were last tried
+  std::vector<VertexState> state_of_vertex;
 
   std::vector<Tet> tets;
   std::vector<RegionId> region_of_tet;
 
   std::vector<Triangle> triangles;
+
+  // The one list of the arrays of each entity: whatever treats all of them walks it. visit(array, what a dead entity
+  // has there).
+  template <class Mesh, class Visit>
+  static void for_each_vertex_array(Mesh& mesh, Visit visit) {
+    visit(mesh.vertices, Vertex{});
+    visit(mesh.tet_of_vertex, TetId{none});
+    visit(mesh.tag_of_vertex, Tag{});
+    visit(mesh.host_of_vertex, CellId{none});
+    visit(mesh.origin_of_vertex, std::uint32_t{none});
+    visit(mesh.state_of_vertex, VertexState{});
+  }
+  template <class Mesh, class Visit>
+  static void for_each_tet_array(Mesh& mesh, Visit visit) {
+    visit(mesh.tets, Tet{});
+    visit(mesh.region_of_tet, RegionId{});
+  }
+  template <class Mesh, class Visit>
+  static void for_each_triangle_array(Mesh& mesh, Visit visit) {
+    visit(mesh.triangles, Triangle{});
+  }
+
+  [[nodiscard]] auto vertex_ids() const { return ids<VertexId>(vertices.size()); }
+  [[nodiscard]] auto tet_ids() const { return ids<TetId>(tets.size()); }
+  [[nodiscard]] auto triangle_ids() const { return ids<TriangleId>(triangles.size()); }
 
   [[nodiscard]] std::size_t vertex_count() const { return vertices.size() - free_vertices_.size(); }
   [[nodiscard]] std::size_t tet_count() const { return tets.size() - free_tets_.size(); }
@@ -135,17 +121,23 @@ public:
   }
 
   /// Fills the record of a dead vertex, which becomes alive when a tetrahedron of it is known.
-  void put_vertex(VertexId v, const Vertex& vertex, Tag tag, std::uint32_t host);
+  void put_vertex(VertexId v, const Vertex& vertex, Tag tag, CellId host);
 
-  /// All arrays of vertices at once; new ones are dead.
+  /// All arrays of an entity at once; new ones are dead. Throws Failure beyond the id space.
   void resize_vertices(std::size_t count);
+  void resize_tets(std::size_t count);
+  void resize_triangles(std::size_t count);
 
-  /// Adds so many dead ids to a pool, free ones first; the arrays grow by the others. Until take_back() the counts
-  /// above include what the pools have not used.
-  void lend_vertices(std::size_t count, IdPool& to);
-  void lend_tets(std::size_t count, IdPool& to);
-  void lend_triangles(std::size_t count, IdPool& to);
-  void take_back(IdPool& vertex_ids, IdPool& tet_ids, IdPool& triangle_ids);
+  /// So many dead ids, free ones first; the arrays grow by the others. Until they are taken back the counts above
+  /// include them.
+  [[nodiscard]] std::vector<VertexId> lend_vertices(std::size_t count);
+  [[nodiscard]] std::vector<TetId> lend_tets(std::size_t count);
+  [[nodiscard]] std::vector<TriangleId> lend_triangles(std::size_t count);
+
+  /// Dead ids go on top of the free lists, the last one uppermost.
+  void take_back(std::span<const VertexId> dead);
+  void take_back(std::span<const TetId> dead);
+  void take_back(std::span<const TriangleId> dead);
 
   /// Drops the free lists; the arrays must be without dead entities.
   void forget_free() {
@@ -155,8 +147,6 @@ public:
   }
 
 private:
-  void resize_tets(std::size_t count);
-
   std::vector<VertexId> free_vertices_;
   std::vector<TetId> free_tets_;
   std::vector<TriangleId> free_triangles_;

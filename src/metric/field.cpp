@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <string>
+
 #include "base/parallel.hpp"
 #include "metric/spectral.hpp"
 #include "taut/error.hpp"
@@ -15,12 +17,13 @@ void require_count(std::size_t values, std::size_t points) {
     throw InputError(fmt::format("metric: {} values for {} vertices, expected one at each", values, points));
 }
 
-void require_metric(const Tensor& m, std::size_t vertex) {
-  if (!is_positive_definite(m))
-    throw InputError(
-        fmt::format("metric: vertex {}: the tensor xx, xy, xz, yy, yz, zz = {} is not finite and "
-                    "positive definite",
-                    vertex + 1, fmt::join(m, ", ")));
+[[noreturn]] void throw_no_metric(const std::string& place, const Tensor& m) {
+  throw InputError(fmt::format("metric: {}: the tensor xx, xy, xz, yy, yz, zz = {} is not finite and positive definite",
+                               place, fmt::join(m, ", ")));
+}
+
+void require_metric_at(std::size_t vertex, const Tensor& m) {
+  if (!is_positive_definite(m)) throw_no_metric(fmt::format("vertex {}", vertex + 1), m);
 }
 
 /// Sizes so small or large that h^-2 is no positive double are refused too.
@@ -40,7 +43,7 @@ std::vector<Sym3> evaluate(const Mesh& mesh, const Sizes& sizes) {
 
 std::vector<Sym3> evaluate(const Mesh& mesh, const Tensors& tensors) {
   require_count(tensors.size(), mesh.points.size());
-  for_each_index(tensors.size(), [&](std::size_t i) { require_metric(tensors[i], i); });
+  for_each_index(tensors.size(), [&](std::size_t i) { require_metric_at(i, tensors[i]); });
   return tensors;
 }
 
@@ -49,12 +52,17 @@ std::vector<Sym3> evaluate(const Mesh& mesh, const MetricFunction& function) {
   std::vector<Sym3> tensors(mesh.points.size());
   for_each_index(tensors.size(), [&](std::size_t i) {
     tensors[i] = function(mesh.points[i]);
-    require_metric(tensors[i], i);
+    if (!is_positive_definite(tensors[i]))
+      throw_no_metric(fmt::format("vertex {} at ({})", i + 1, fmt::join(mesh.points[i], ", ")), tensors[i]);
   });
   return tensors;
 }
 
 }  // namespace
+
+void require_metric(const Tensor& m, const Point& x) {
+  if (!is_positive_definite(m)) throw_no_metric(fmt::format("at ({})", fmt::join(x, ", ")), m);
+}
 
 std::vector<Sym3> tensors_at(const Mesh& mesh, const Metric& metric) {
   return std::visit([&mesh](const auto& given) { return evaluate(mesh, given); }, metric);

@@ -14,4 +14,7 @@ namespace taut {
 /// is not positive definite, or one is not finite.
 [[nodiscard]] std::vector<Sym3> tensors_at(const Mesh& mesh, const Metric& metric);
 
+/// Throws InputError naming the position unless the value of a metric function there is finite and positive definite.
+void require_metric(const Tensor& m, const Point& x);
+
 }  // namespace taut

@@ -2,10 +2,19 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 #include "base/sym3.hpp"
 
 namespace taut {
+
+inline constexpr double longest_unit = std::numbers::sqrt2;       ///< a longer edge is split
+inline constexpr double shortest_unit = std::numbers::sqrt2 / 2;  ///< a shorter one is collapsed
+
+/// Whether an edge of this length needs no change.
+constexpr bool is_unit(double length) {
+  return length >= shortest_unit && length <= longest_unit;
+}
 
 /// sqrt(e^T M e).
 inline double length_in(const Sym3& m, const Vec3& e) {

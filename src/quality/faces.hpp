@@ -16,7 +16,7 @@ namespace taut {
 /// An entity by its vertices in ascending order, and its index; of a face, that of what it comes from.
 template <std::size_t n>
 struct Named {
-  std::array<VertexId, n> vertices;
+  std::array<Index, n> vertices;
   Index source;
   auto operator<=>(const Named&) const = default;
 };
@@ -28,7 +28,7 @@ using Face = Named<3>;
 template <std::size_t n, class Name>
 [[nodiscard]] Buckets<Named<n>> sorted_by_vertices(std::size_t count, std::size_t vertices, const Name& name) {
   auto buckets = gather<Named<n>>(count, vertices, [&](std::size_t i, auto put) {
-    name(i, [&](std::array<VertexId, n> of) {
+    name(i, [&](std::array<Index, n> of) {
       std::ranges::sort(of);
       put(of[0], Named<n>{of, static_cast<Index>(i)});
     });

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "base/parallel.hpp"
 #include "mesh/edges.hpp"
@@ -48,7 +47,7 @@ struct Lengths {
 
   void add_edge(double l) {
     phi += efficiency_phi(l);
-    unit += l >= 1 / std::numbers::sqrt2 && l <= std::numbers::sqrt2;
+    unit += is_unit(l);
     min = std::min(min, l);
     max = std::max(max, l);
     ++histogram[interval(Quality::length_bounds, l)];

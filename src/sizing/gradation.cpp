@@ -16,7 +16,7 @@
 namespace taut {
 namespace {
 
-using Edge = std::array<VertexId, 2>;
+using Edge = std::array<Index, 2>;
 
 /// Relative excess of an eigenvalue that is left alone.
 constexpr double tolerance = 1e-3;
@@ -35,8 +35,8 @@ std::optional<Sym3> demand(const Vec3& p, const Vec3& q, const Sym3& mp, const S
   return grown;
 }
 
-Buckets<VertexId> neighbours_of_vertices(std::size_t vertices, std::span<const Edge> edges) {
-  return gather<VertexId>(edges.size(), vertices, [&](std::size_t e, auto put) {
+Buckets<Index> neighbours_of_vertices(std::size_t vertices, std::span<const Edge> edges) {
+  return gather<Index>(edges.size(), vertices, [&](std::size_t e, auto put) {
     const auto& [p, q] = edges[e];
     put(p, q);
     put(q, p);
@@ -49,7 +49,7 @@ class Queue {
 public:
   explicit Queue(std::size_t vertices) : key_(vertices, absent) {}
 
-  void push(VertexId v, const Sym3& m) {
+  void push(Index v, const Sym3& m) {
     const double key = m[0] + m[3] + m[5];
     if (key == key_[v]) return;
     key_[v] = key;
@@ -57,7 +57,7 @@ public:
   }
 
   /// `none` when empty. Entries outdated by a later push are passed over.
-  VertexId pop() {
+  Index pop() {
     while (!heap_.empty()) {
       const Entry top = heap_.top();
       heap_.pop();
@@ -72,7 +72,7 @@ private:
   static constexpr double absent = -1;
   struct Entry {
     double key;
-    VertexId vertex;
+    Index vertex;
     bool operator<(const Entry& other) const { return key != other.key ? key < other.key : vertex > other.vertex; }
   };
   std::vector<double> key_;
@@ -82,13 +82,13 @@ private:
 /// Only vertices that ask something of a neighbour start: where the field is smooth, one scan of the edges is all.
 Queue vertices_that_ask(std::span<const Point> points, std::span<const Edge> edges, std::span<const Sym3> metrics,
                         double log_beta) {
-  const auto asking = collect_in_order<VertexId>(Chunks(edges.size()), [&](std::vector<VertexId>& list, std::size_t e) {
+  const auto asking = collect_in_order<Index>(Chunks(edges.size()), [&](std::vector<Index>& list, std::size_t e) {
     const auto& [p, q] = edges[e];
     if (demand(points[p], points[q], metrics[p], metrics[q], log_beta)) list.push_back(p);
     if (demand(points[q], points[p], metrics[q], metrics[p], log_beta)) list.push_back(q);
   });
   Queue queue(points.size());
-  for (VertexId v : asking) queue.push(v, metrics[v]);
+  for (Index v : asking) queue.push(v, metrics[v]);
   return queue;
 }
 
@@ -99,11 +99,11 @@ std::vector<Sym3> gradate(std::span<const Point> points, std::span<const Edge> e
   assert(points.size() == metrics.size() && beta > 1);
   const double log_beta = std::log(beta);
   Queue queue = vertices_that_ask(points, edges, metrics, log_beta);
-  VertexId p = queue.pop();
+  Index p = queue.pop();
   if (p == none) return metrics;
   const auto neighbours = neighbours_of_vertices(points.size(), edges);
   for (std::size_t effort = largest_effort * points.size(); p != none && effort > 0; p = queue.pop(), --effort) {
-    for (VertexId q : neighbours[p]) {
+    for (Index q : neighbours[p]) {
       const auto wish = demand(points[p], points[q], metrics[p], metrics[q], log_beta);
       if (!wish) continue;
       metrics[q] = intersect(metrics[q], *wish);

@@ -16,7 +16,7 @@ namespace taut {
 /// than one in a thousand (sizes by half of that). Metrics only grow; one that breaks no bound keeps its bits.
 ///
 /// One array entry a vertex in `points` and `metrics`; each edge once. The same input gives the same bits.
-[[nodiscard]] std::vector<Sym3> gradate(std::span<const Point> points, std::span<const std::array<VertexId, 2>> edges,
+[[nodiscard]] std::vector<Sym3> gradate(std::span<const Point> points, std::span<const std::array<Index, 2>> edges,
                                         std::vector<Sym3> metrics, double beta);
 
 }  // namespace taut

@@ -1,12 +1,12 @@
 // The target metric as a function on the input domain.
 #pragma once
 
-#include <cstdint>
-#include <span>
+#include <memory>
 #include <vector>
 
+#include "base/ids.hpp"
 #include "base/sym3.hpp"
-#include "mesh/tet_mesh.hpp"
+#include "locate/background.hpp"
 #include "taut/metric.hpp"
 
 namespace taut {
@@ -15,31 +15,25 @@ namespace taut {
 /// the point. Averages of averages along split edges would smear a front within a few passes.
 class Target {
 public:
+  /// The function's values truncated to sizes in [hmin, hmax].
   Target(MetricFunction function, double hmin, double hmax);
 
-  /// Copies the mesh as it is; its vertices hold the metric. Afterwards host h is its tetrahedron h.
-  explicit Target(const TetMesh& mesh);
+  /// The field with the metric `metrics[v]` at vertex v of the background mesh, which must outlive the target.
+  Target(const Background& background, const std::vector<Sym3>& metrics);
 
-  /// The metric at x. `host` is where the search starts, and becomes where x was found. A point outside the domain, as
-  /// rounding on an oblique face gives, takes the value at the nearest place of the tetrahedron where the search ended.
-  [[nodiscard]] Sym3 at(const Vec3& x, std::uint32_t& host) const;
+  /// The metric at x. Of a field: `host` is the cell where the search starts, and becomes the one where x was found; a
+  /// point outside the domain takes the value at the nearest place of that cell. Of a function: `host` stays as it is;
+  /// throws InputError naming x if the value is not finite and positive definite.
+  [[nodiscard]] Sym3 at(const Vec3& x, CellId& host) const;
 
 private:
-  struct Cell {
-    std::array<VertexId, 4> v;
-    std::array<std::uint32_t, 4> beyond;  ///< cell across each face; `none` at the boundary
-  };
-  using Weights = std::array<double, 4>;
-
-  [[nodiscard]] Weights barycentric(std::uint32_t cell, const Vec3& x) const;
-  [[nodiscard]] bool walk(const Vec3& x, std::uint32_t& host, Weights& weights) const;
-  void search_around(const Vec3& x, std::uint32_t& host, Weights& weights) const;
+  [[nodiscard]] Sym3 interpolate(const Vec3& x, CellId& host) const;
+  [[nodiscard]] Sym3 call(const Vec3& x) const;
 
   MetricFunction function_;
   double hmin_ = 0, hmax_ = 0;
-  std::vector<Vec3> points_;
-  std::vector<Sym3> log_metrics_;
-  std::vector<Cell> cells_;
+  const Background* background_ = nullptr;
+  std::vector<Sym3> log_metrics_;  // at the vertices of the background mesh
 };
 
 }  // namespace taut

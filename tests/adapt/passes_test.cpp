@@ -1,6 +1,6 @@
 #include "adapt/passes.hpp"
 
-#include "cavity/workbench.hpp"
+#include "operators/workbench.hpp"
 
 namespace taut {
 namespace {
@@ -12,7 +12,7 @@ TEST(SplitStuck, PassesOverWhatIsGone) {
   Workbench bench(input, Sizes(input.points.size(), 0.1));
   bench.block.give_back(bench.mesh);
   std::vector<TetId> stuck;
-  for (TetId t = 0; t < bench.mesh.tets.size(); ++t) stuck.push_back(t);
+  for (const TetId t : ids<TetId>(bench.mesh.tets.size())) stuck.push_back(t);
   EXPECT_FALSE(bench.mesh.tets.back().alive()) << "borrowed and given back";
   Tally tally("insert");
   split_stuck(bench.kernel, {}, stuck, tally);

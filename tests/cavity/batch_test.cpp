@@ -104,19 +104,22 @@ TEST(VertexBatch, NumbersInTheOrderOfMention) {
   VertexBatch batch;
   for (int repeat = 0; repeat < 2; ++repeat) {
     batch.clear();
-    EXPECT_EQ(batch.add(mesh, 40), 0);
-    EXPECT_EQ(batch.add(mesh, 7), 1);
-    EXPECT_EQ(batch.add(mesh, 40), 0);
-    EXPECT_EQ(batch.add(mesh, 8), 2);
+    EXPECT_EQ(batch.add(mesh, VertexId{40}), 0);
+    EXPECT_EQ(batch.add(mesh, VertexId{7}), 1);
+    EXPECT_EQ(batch.add(mesh, VertexId{40}), 0);
+    EXPECT_EQ(batch.add(mesh, VertexId{8}), 2);
     EXPECT_EQ(batch.size(), 3);
     EXPECT_EQ(batch.id(1), 7);
-    EXPECT_EQ(batch.x(1), mesh.x(7));
-    EXPECT_TRUE(batch.contains(8));
-    EXPECT_FALSE(batch.contains(9));
+    EXPECT_EQ(batch.x(1), mesh.x(VertexId{7}));
+    EXPECT_TRUE(batch.contains(VertexId{8}));
+    EXPECT_FALSE(batch.contains(VertexId{9}));
   }
-  for (VertexId v = 0; batch.size() < VertexBatch::capacity; ++v) EXPECT_GE(batch.add(mesh, v), 0);
-  EXPECT_EQ(batch.add(mesh, 124), -1);
-  EXPECT_EQ(batch.add(mesh, 40), 0) << "those there are still found";
+  for (const VertexId v : mesh.vertex_ids()) {
+    if (batch.size() == VertexBatch::capacity) break;
+    EXPECT_GE(batch.add(mesh, v), 0);
+  }
+  EXPECT_EQ(batch.add(mesh, VertexId{124}), -1);
+  EXPECT_EQ(batch.add(mesh, VertexId{40}), 0) << "those there are still found";
   EXPECT_EQ(batch.size(), VertexBatch::capacity);
 }
 
@@ -143,9 +146,9 @@ TEST(VertexBatch, SumsWeightedEdges) {
   std::vector<double> weights;
   const Vec3 p = {0.3, 0.4, 0.5};
   Vec3 expected{};
-  for (const VertexId v : {3U, 30U, 60U, 90U, 120U}) {
+  for (const VertexId v : {VertexId{3}, VertexId{30}, VertexId{60}, VertexId{90}, VertexId{120}}) {
     (void)batch.add(mesh, v);
-    weights.push_back(0.1 * v - 5);
+    weights.push_back(0.1 * static_cast<int>(v) - 5);
     expected = expected + weights.back() * (p - mesh.x(v));
   }
   EXPECT_LT(norm(batch.weighted_edges(p, weights) - expected), 1e-13);

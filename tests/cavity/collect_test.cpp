@@ -19,14 +19,14 @@ std::vector<Mesh> domains() {
 
 std::set<TetId> tets_with(const TetMesh& mesh, const std::vector<VertexId>& v) {
   std::set<TetId> tets;
-  for (TetId t = 0; t < mesh.tets.size(); ++t)
+  for (const TetId t : ids<TetId>(mesh.tets.size()))
     if (std::ranges::all_of(v, [&](VertexId i) { return mesh.tets[t].has(i); })) tets.insert(t);
   return tets;
 }
 
 std::set<TriangleId> triangles_with(const TetMesh& mesh, VertexId a, VertexId b) {
   std::set<TriangleId> triangles;
-  for (TriangleId t = 0; t < mesh.triangles.size(); ++t) {
+  for (const TriangleId t : ids<TriangleId>(mesh.triangles.size())) {
     const auto& v = mesh.triangles[t].v;
     if (std::ranges::find(v, a) != v.end() && std::ranges::find(v, b) != v.end()) triangles.insert(t);
   }
@@ -37,7 +37,7 @@ TEST(CollectBall, FindsAllAtAVertexAcrossInterfacesToo) {
   for (const Mesh& input : domains()) {
     const TetMesh mesh = build(input).mesh;
     TetSet ball;
-    for (VertexId v = 0; v < mesh.vertices.size(); ++v) {
+    for (const VertexId v : ids<VertexId>(mesh.vertices.size())) {
       ASSERT_TRUE(collect_ball(mesh, v, ball));
       const std::set<TetId> found(ball.span().begin(), ball.span().end());
       EXPECT_EQ(found, tets_with(mesh, {v}));
@@ -62,9 +62,9 @@ TEST(CollectShell, FindsAllRoundAnEdgeInOrder) {
     const TetMesh mesh = build(input).mesh;
     int closed = 0, open = 0;
     Shell shell;
-    for (TetId t = 0; t < mesh.tets.size(); ++t) {
+    for (const TetId t : ids<TetId>(mesh.tets.size())) {
       for (int e = 0; e < 6; ++e) {
-        ASSERT_EQ(collect_shell(mesh, Block(), t, e, shell), Refusal::accepted);
+        ASSERT_EQ(collect_shell(mesh, Block(), t, e, shell), Outcome::accepted);
         const VertexId a = mesh.tets[t].v[edge_vertices[e][0]], b = mesh.tets[t].v[edge_vertices[e][1]];
         ASSERT_EQ((std::pair{shell.a, shell.b}), (std::pair{a, b}));
         const std::set<TetId> found(shell.tets.begin(), shell.tets.begin() + shell.size);
@@ -95,8 +95,8 @@ TEST(CollectShell, RefusesWhatHasNoRoom) {
       const VertexId a = built.vertex_of_point[0], b = built.vertex_of_point[1];
       const Tet& tet = built.mesh.tets[0];
       Shell shell;
-      EXPECT_EQ(collect_shell(built.mesh, Block(), 0, edge_between[tet.index_of(a)][tet.index_of(b)], shell),
-                n <= Shell::capacity ? Refusal::accepted : Refusal::too_large);
+      EXPECT_EQ(collect_shell(built.mesh, Block(), TetId{0}, edge_between[tet.index_of(a)][tet.index_of(b)], shell),
+                n <= Shell::capacity ? Outcome::accepted : Outcome::too_large);
       TetSet ball;
       EXPECT_EQ(collect_ball(built.mesh, a, ball), n <= TetSet::capacity);
     }
@@ -112,7 +112,7 @@ TEST(CollectShell, RefusesMoreTrianglesThanASoundGeometryHas) {
   const Tet& tet = built.mesh.tets[0];
   const int edge = edge_between[tet.index_of(built.vertex_of_point[0])][tet.index_of(built.vertex_of_point[1])];
   Shell shell;
-  EXPECT_EQ(collect_shell(built.mesh, Block(), 0, edge, shell), Refusal::too_large);
+  EXPECT_EQ(collect_shell(built.mesh, Block(), TetId{0}, edge, shell), Outcome::too_large);
 }
 
 }  // namespace

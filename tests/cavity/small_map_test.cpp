@@ -47,24 +47,25 @@ TEST(TetSet, KeepsTheOrderOfAdditionUpToItsCapacity) {
     EXPECT_FALSE(set.contains(static_cast<TetId>(1000 - 3 * i)));
     EXPECT_TRUE(set.add(static_cast<TetId>(1000 - 3 * i)));
   }
-  EXPECT_FALSE(set.add(5000));
-  EXPECT_FALSE(set.contains(5000));
+  EXPECT_FALSE(set.add(TetId{5000}));
+  EXPECT_FALSE(set.contains(TetId{5000}));
   EXPECT_EQ(set.size(), TetSet::capacity);
   for (int i = 0; i < TetSet::capacity; ++i) EXPECT_EQ(set[i], static_cast<TetId>(1000 - 3 * i));
   EXPECT_EQ(set.span().size(), static_cast<std::size_t>(TetSet::capacity));
   set.clear();
   EXPECT_EQ(set.size(), 0);
-  EXPECT_FALSE(set.contains(1000));
+  EXPECT_FALSE(set.contains(TetId{1000}));
 }
 
 TEST(TetSet, Shrinks) {
   TetSet set;
-  for (TetId t = 10; t < 20; ++t) (void)set.add(t);
+  for (std::uint32_t t = 10; t < 20; ++t) (void)set.add(TetId{t});
   set.shrink(3, [](int i) { return i % 2 == 0; });
   const std::vector<TetId> left(set.span().begin(), set.span().end());
-  EXPECT_EQ(left, (std::vector<TetId>{10, 11, 12, 14, 16, 18}));
-  for (TetId t = 10; t < 20; ++t) EXPECT_EQ(set.contains(t), std::ranges::find(left, t) != left.end());
-  EXPECT_TRUE(set.add(13));
+  EXPECT_TRUE(std::ranges::equal(left, std::array{10U, 11U, 12U, 14U, 16U, 18U}));
+  for (std::uint32_t t = 10; t < 20; ++t)
+    EXPECT_EQ(set.contains(TetId{t}), std::ranges::find(left, TetId{t}) != left.end());
+  EXPECT_TRUE(set.add(TetId{13}));
   EXPECT_EQ(set[6], 13);
 }
 

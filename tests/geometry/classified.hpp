@@ -29,13 +29,13 @@ struct Classified {
   [[nodiscard]] Count count() const { return {model.patches.size(), model.lines.size(), model.corners.size() - 1}; }
 
   [[nodiscard]] std::size_t frozen_patches() const {
-    return static_cast<std::size_t>(std::ranges::count_if(model.patches, [](const Patch& p) { return p.frozen; }));
+    return static_cast<std::size_t>(std::ranges::count_if(model.patches, [](const Patch& p) { return p.frozen(); }));
   }
 
   /// Vertices by the dimension of their tags.
   [[nodiscard]] std::array<int, 4> tags() const {
     std::array<int, 4> tags{};
-    for (const Tag& tag : built.mesh.tag_of_vertex) ++tags[tag.dimension];
+    for (const Tag& tag : built.mesh.tag_of_vertex) ++tags[tag.dimension()];
     return tags;
   }
 

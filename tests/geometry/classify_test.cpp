@@ -26,9 +26,10 @@ TEST(Classify, ACubeHasSixPatchesTwelveLinesAndEightCorners) {
       EXPECT_EQ(c.model.corners[i].lines.size(), 3);
     }
     for (const Patch& patch : c.model.patches) {
-      EXPECT_EQ(std::abs(patch.normal[0]) + std::abs(patch.normal[1]) + std::abs(patch.normal[2]), 1)
+      const Plane& plane = std::get<Plane>(patch.shape);
+      EXPECT_EQ(std::abs(plane.normal[0]) + std::abs(plane.normal[1]) + std::abs(plane.normal[2]), 1)
           << "along an axis";
-      EXPECT_TRUE(patch.offset == 0 || patch.offset == 1);
+      EXPECT_TRUE(plane.offset == 0 || plane.offset == 1);
     }
     EXPECT_EQ(c.patch_refs(), with_triangles ? (std::vector<int>{1, 2, 3, 4, 5, 6}) : std::vector<int>(6, 0));
   }
@@ -39,12 +40,14 @@ TEST(Classify, PlanesAcrossAnAxisAreExact) {
     Mesh mesh = cube(3);
     for (Point& p : mesh.points) p = {0.1 * i * p[0] - 0.7, 0.17 * i * p[1], 0.3 * p[2] + 1.1 * i};
     const Classified c(mesh);
-    for (const Patch& patch : c.model.patches)
-      EXPECT_EQ(std::abs(patch.normal[0]) + std::abs(patch.normal[1]) + std::abs(patch.normal[2]), 1);
-    for (VertexId v = 0; v < c.built.mesh.vertices.size(); ++v) {
+    for (const Patch& patch : c.model.patches) {
+      const Plane& plane = std::get<Plane>(patch.shape);
+      EXPECT_EQ(std::abs(plane.normal[0]) + std::abs(plane.normal[1]) + std::abs(plane.normal[2]), 1);
+    }
+    for (const VertexId v : ids<VertexId>(c.built.mesh.vertices.size())) {
       const Vec3 x = c.built.mesh.x(v);
       const Tag tag = c.built.mesh.tag_of_vertex[v];
-      EXPECT_TRUE(tag.dimension != 2 || c.model.project(tag, x) == x);
+      EXPECT_TRUE(tag.dimension() != 2 || c.model.project(tag, x) == x);
     }
   }
 }
@@ -55,10 +58,10 @@ TEST(Classify, PartsThatTouchInAnEdgeOrAVertexStayThere) {
       test::grid(4), [](const Vec3& c) { return (c[0] < 0.5) == (c[1] < 0.5) && (c[0] < 0.5) == (c[2] < 0.5); });
   for (const bool in_edge : {true, false}) {
     const Classified c(in_edge ? edge : vertex);
-    for (VertexId v = 0; v < c.built.mesh.vertices.size(); ++v) {
+    for (const VertexId v : ids<VertexId>(c.built.mesh.vertices.size())) {
       const Vec3& x = c.built.mesh.x(v);
       const bool touches = x[0] == 0.5 && x[1] == 0.5 && (in_edge || x[2] == 0.5);
-      EXPECT_TRUE(!touches || c.built.mesh.tag_of_vertex[v].dimension == 0);
+      EXPECT_TRUE(!touches || c.built.mesh.tag_of_vertex[v].dimension() == 0);
     }
     std::size_t frozen = 0;
     for (const Line& line : c.model.lines) frozen += line.frozen ? 1 : 0;
@@ -73,7 +76,7 @@ TEST(Classify, AVertexThatHoldsTwoPartsTogetherStays) {
   EXPECT_EQ(mesh.points.size(), 125 + 24);
   const Classified c(mesh);
   EXPECT_EQ(c.count(), (test::Count{12, 24, 17}));
-  EXPECT_EQ(c.tag(pin).dimension, 0);
+  EXPECT_EQ(c.tag(pin).dimension(), 0);
 }
 
 TEST(Classify, VerticesAreWhereTheirTagsSay) {
@@ -81,13 +84,14 @@ TEST(Classify, VerticesAreWhereTheirTagsSay) {
   const Classified c(mesh);
   EXPECT_EQ(c.count(), (test::Count{6, 12, 8}));
   const TetMesh& m = c.built.mesh;
-  for (VertexId v = 0; v < m.vertices.size(); ++v) {
+  for (const VertexId v : ids<VertexId>(m.vertices.size())) {
     const Tag tag = m.tag_of_vertex[v];
     EXPECT_LT(norm(c.model.project(tag, m.x(v)) - m.x(v)), 1e-15);
-    if (tag.dimension == 2) {
+    if (tag.dimension() == 2) {
       const Vec3 x = m.x(v) + Vec3{0.1, 0.2, 0.3}, p = c.model.project(tag, x);
-      EXPECT_NEAR(dot(c.model.patches[tag.id].normal, p - m.x(v)), 0, 1e-15);
-      EXPECT_LT(norm(cross(c.model.patches[tag.id].normal, p - x)), 1e-15) << "projected askew";
+      EXPECT_NEAR(norm(c.model.normal(tag, x)), 1, 1e-15);
+      EXPECT_NEAR(dot(c.model.normal(tag, x), p - m.x(v)), 0, 1e-15);
+      EXPECT_LT(norm(cross(c.model.normal(tag, x), p - x)), 1e-15) << "projected askew";
     }
   }
 }
@@ -146,12 +150,12 @@ TEST(Classify, CurvedPatchesAreFrozen) {
   const Classified c(test::vault(cube(6)));
   EXPECT_EQ(c.model.patches.size(), 6);
   ASSERT_EQ(c.frozen_patches(), 1);
-  for (PatchId p = 0; p < 6; ++p) EXPECT_EQ(c.model.patches[p].frozen, c.model.patches[p].ref == 6);
+  for (const PatchId p : ids<PatchId>(6)) EXPECT_EQ(c.model.patches[p].frozen(), c.model.patches[p].ref == 6);
   const TetMesh& m = c.built.mesh;
   for (const Triangle& t : m.triangles)
     for (VertexId v : t.v) {
-      EXPECT_TRUE(!c.model.patches[t.patch].frozen || m.tag_of_vertex[v].dimension == 0);
-      EXPECT_EQ(c.model.on_patch(m.tag_of_vertex[v], t.patch), !c.model.patches[t.patch].frozen);
+      EXPECT_TRUE(!c.model.patches[t.patch].frozen() || m.tag_of_vertex[v].dimension() == 0);
+      EXPECT_EQ(c.model.on_patch(m.tag_of_vertex[v], t.patch), !c.model.patches[t.patch].frozen());
     }
   const auto tags = c.tags();
   EXPECT_GT(tags[1], 0);

@@ -19,9 +19,9 @@ const Index on_line = at(0, 0, 2), on_side = at(0, 2, 2), inside = at(2, 2, 2);
 
 TEST(Marks, PointsOfEachKindWithoutAny) {
   const Classified c(cube(4));
-  EXPECT_EQ(c.tag(on_line).dimension, 1);
-  EXPECT_EQ(c.tag(on_side).dimension, 2);
-  EXPECT_EQ(c.tag(inside).dimension, 3);
+  EXPECT_EQ(c.tag(on_line).dimension(), 1);
+  EXPECT_EQ(c.tag(on_side).dimension(), 2);
+  EXPECT_EQ(c.tag(inside).dimension(), 3);
 }
 
 TEST(Marks, CornersAndRequiredPointsStay) {
@@ -29,12 +29,12 @@ TEST(Marks, CornersAndRequiredPointsStay) {
     Mesh mesh = cube(4);
     (corners ? mesh.corners : mesh.required_points) = {on_line, on_side, inside};
     const Classified c(mesh);
-    for (const Index p : {on_line, on_side, inside}) EXPECT_EQ(c.tag(p).dimension, 0);
+    for (const Index p : {on_line, on_side, inside}) EXPECT_EQ(c.tag(p).dimension(), 0);
     EXPECT_EQ(c.tags(), (std::array<int, 4>{11, 35, 53, 26}));
     // What is around may still change: the corner lies on the patch and the lines on which it is.
-    EXPECT_EQ(c.model.corners[c.tag(on_side).id].patches.size(), 1);
-    EXPECT_EQ(c.model.corners[c.tag(on_line).id].patches.size(), 2);
-    EXPECT_EQ(c.model.corners[c.tag(on_line).id].lines.size(), 2) << "the line is parted in two";
+    EXPECT_EQ(c.model.corners[c.tag(on_side).corner()].patches.size(), 1);
+    EXPECT_EQ(c.model.corners[c.tag(on_line).corner()].patches.size(), 2);
+    EXPECT_EQ(c.model.corners[c.tag(on_line).corner()].lines.size(), 2) << "the line is parted in two";
     EXPECT_EQ(c.model.lines.size(), 13);
     EXPECT_EQ(c.frozen_patches(), 0);
   }
@@ -58,9 +58,9 @@ TEST(Marks, ARequiredRidgeIsFrozenAndTheRestOfItIsNot) {
   EXPECT_TRUE(line->frozen && line->required && line->sharp);
   EXPECT_EQ(line->ref, 5);
   EXPECT_EQ(c.model.lines.size(), 14) << "parted in three";
-  EXPECT_EQ(c.tag(at(0, 0, 1)).dimension, 0);
-  EXPECT_EQ(c.tag(at(0, 0, 2)).dimension, 0);
-  EXPECT_EQ(c.tag(at(0, 0, 3)).dimension, 1);
+  EXPECT_EQ(c.tag(at(0, 0, 1)).dimension(), 0);
+  EXPECT_EQ(c.tag(at(0, 0, 2)).dimension(), 0);
+  EXPECT_EQ(c.tag(at(0, 0, 3)).dimension(), 1);
   EXPECT_FALSE(c.line(at(0, 0, 2), at(0, 0, 3))->frozen);
 }
 
@@ -93,9 +93,9 @@ TEST(Marks, GivenEdgesThatBendAreLinesBetweenTheBends) {
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) mesh.edges.push_back({chain[i], chain[i + 1]});
   const Classified c(mesh);
   EXPECT_EQ(c.count(), (test::Count{7, 17, 12}));
-  EXPECT_EQ(c.tag(chain[1]).dimension, 0);
-  EXPECT_EQ(c.tag(chain[2]).dimension, 0);
-  EXPECT_EQ(c.tag(chain[3]).dimension, 1);
+  EXPECT_EQ(c.tag(chain[1]).dimension(), 0);
+  EXPECT_EQ(c.tag(chain[2]).dimension(), 0);
+  EXPECT_EQ(c.tag(chain[3]).dimension(), 1);
 }
 
 TEST(Marks, AGivenEdgeThatDanglesIsFrozen) {
@@ -103,7 +103,7 @@ TEST(Marks, AGivenEdgeThatDanglesIsFrozen) {
   mesh.edges = {{at(0, 2, 1), at(0, 2, 2)}, {at(0, 2, 2), at(0, 2, 3)}};
   const Classified c(mesh);
   EXPECT_EQ(c.model.patches.size(), 6);
-  for (Index k = 1; k <= 3; ++k) EXPECT_EQ(c.tag(at(0, 2, k)).dimension, 0);
+  for (Index k = 1; k <= 3; ++k) EXPECT_EQ(c.tag(at(0, 2, k)).dimension(), 0);
   const Line* line = c.line(at(0, 2, 1), at(0, 2, 2));
   ASSERT_NE(line, nullptr);
   EXPECT_TRUE(line->frozen);
@@ -122,9 +122,9 @@ TEST(Marks, AnEdgeInsideFreezesTheTetrahedraRoundIt) {
             (std::set<std::uint32_t>{inside, at(2, 2, 3)}));
   EXPECT_TRUE(c.model.has_frozen_region);
   std::size_t frozen = 0, around = 0;
-  for (TetId t = 0; t < c.built.mesh.tets.size(); ++t) {
+  for (const TetId t : ids<TetId>(c.built.mesh.tets.size())) {
     const bool is_frozen = c.model.regions[c.built.mesh.region_of_tet[t]].frozen;
-    for (VertexId v : c.built.mesh.tets[t].v) EXPECT_TRUE(!is_frozen || c.built.mesh.tag_of_vertex[v].dimension == 0);
+    for (VertexId v : c.built.mesh.tets[t].v) EXPECT_TRUE(!is_frozen || c.built.mesh.tag_of_vertex[v].dimension() == 0);
     frozen += is_frozen ? 1 : 0;
   }
   for (const auto& t : mesh.tetrahedra)
@@ -171,7 +171,7 @@ TEST(Marks, RequiredTrianglesAreAFrozenPatch) {
   EXPECT_TRUE(c.model.patches[triangle.patch].required);
   EXPECT_EQ(c.model.patches[triangle.patch].ref, mesh.triangle_refs[t]);
   for (int k = 0; k < 3; ++k) {
-    EXPECT_EQ(c.tag(mesh.triangles[t][k]).dimension, 0);
+    EXPECT_EQ(c.tag(mesh.triangles[t][k]).dimension(), 0);
     ASSERT_NE(triangle.line[k], none);
     EXPECT_TRUE(c.model.lines[triangle.line[k]].implicit) << "nobody gave this edge: it is not to be written";
   }
@@ -190,10 +190,11 @@ TEST(Marks, RequiredTetrahedraAreAFrozenRegion) {
   std::vector<std::pair<int, bool>> regions;
   for (const Region& r : c.model.regions) regions.emplace_back(r.ref, r.frozen);
   std::size_t frozen = 0;
-  for (TetId t = 0; t < c.built.mesh.tets.size(); ++t) frozen += regions[c.built.mesh.region_of_tet[t]].second ? 1 : 0;
+  for (const TetId t : ids<TetId>(c.built.mesh.tets.size()))
+    frozen += regions[c.built.mesh.region_of_tet[t]].second ? 1 : 0;
   EXPECT_EQ(frozen, 3);
   for (const Index t : mesh.required_tetrahedra)
-    for (const Index p : mesh.tetrahedra[t]) EXPECT_EQ(c.tag(p).dimension, 0);
+    for (const Index p : mesh.tetrahedra[t]) EXPECT_EQ(c.tag(p).dimension(), 0);
 }
 
 }  // namespace

@@ -38,9 +38,9 @@ std::array<Vec3, n> least_turn(const TetMesh& mesh, const std::array<VertexId, n
 
 inline Canonical canonical(const TetMesh& mesh) {
   Canonical form;
-  for (VertexId v = 0; v < mesh.vertices.size(); ++v)
+  for (const VertexId v : ids<VertexId>(mesh.vertices.size()))
     if (mesh.is_vertex_alive(v)) form.vertices.push_back(mesh.x(v));
-  for (TetId t = 0; t < mesh.tets.size(); ++t)
+  for (const TetId t : ids<TetId>(mesh.tets.size()))
     if (mesh.tets[t].alive()) form.tets.emplace_back(least_turn(mesh, mesh.tets[t].v), mesh.region_of_tet[t]);
   for (const Triangle& t : mesh.triangles)
     if (t.alive()) form.triangles.emplace_back(least_turn(mesh, t.v), t.patch);

@@ -13,8 +13,8 @@ namespace {
 
 using Tets = std::vector<std::array<Index, 4>>;
 
-std::vector<std::array<VertexId, 2>> by_a_set(const Tets& tets) {
-  std::set<std::array<VertexId, 2>> edges;
+std::vector<std::array<Index, 2>> by_a_set(const Tets& tets) {
+  std::set<std::array<Index, 2>> edges;
   for (const auto& t : tets)
     for (const auto& [i, j] : edge_vertices) edges.insert({std::min(t[i], t[j]), std::max(t[i], t[j])});
   return {edges.begin(), edges.end()};
@@ -23,7 +23,7 @@ std::vector<std::array<VertexId, 2>> by_a_set(const Tets& tets) {
 TEST(Edges, OfNoneAndOne) {
   EXPECT_TRUE(edges_of({}).empty());
   EXPECT_EQ(edges_of(Tets{{3, 1, 0, 2}}),
-            (std::vector<std::array<VertexId, 2>>{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}));
+            (std::vector<std::array<Index, 2>>{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}));
 }
 
 TEST(Edges, OfAGrid) {

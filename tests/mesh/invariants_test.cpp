@@ -4,7 +4,7 @@
 
 #include "mesh/build.hpp"
 #include "mesh/shapes.hpp"
-#include "mesh/whole_block.hpp"
+#include "partition/whole_block.hpp"
 
 namespace taut {
 namespace {
@@ -15,7 +15,7 @@ TetMesh sound() {
 
 std::vector<TetId> all_tets(const TetMesh& mesh) {
   std::vector<TetId> tets;
-  for (TetId t = 0; t < mesh.tets.size(); ++t) tets.push_back(t);
+  for (const TetId t : ids<TetId>(mesh.tets.size())) tets.push_back(t);
   return tets;
 }
 
@@ -31,16 +31,16 @@ void expect_found(Break damage, const std::string& words, bool locally = true) {
 
 // A face between two tetrahedra, and one at a triangle between two.
 FaceLink inner_face(const TetMesh& mesh) {
-  for (TetId t = 0; t < mesh.tets.size(); ++t)
+  for (const TetId t : ids<TetId>(mesh.tets.size()))
     for (int f = 0; f < 4; ++f)
       if (!mesh.tets[t].n[f].is_triangle()) return FaceLink::to_face(t, f);
   return outside;
 }
 
 TriangleId interface_triangle(const TetMesh& mesh) {
-  TriangleId t = 0;
-  while (mesh.triangles[t].side[1] == outside) ++t;
-  return t;
+  for (const TriangleId t : mesh.triangle_ids())
+    if (mesh.triangles[t].side[1] != outside) return t;
+  return none;
 }
 
 TEST(Invariants, HoldInABuiltMesh) {
@@ -88,35 +88,35 @@ TEST(Invariants, OfTriangles) {
       "of the triangle");
   expect_found([](TetMesh& m) { m.triangles[interface_triangle(m)].side[1] = outside; }, "");
   expect_found([](TetMesh& m) { m.triangles[1].side[0] = m.triangles[2].side[0]; }, "");
-  expect_found([](TetMesh& m) { test::change_whole(m, [&](Block& b) { b.remove_triangle(m, 4); }); }, "dead");
+  expect_found([](TetMesh& m) { test::change_whole(m, [&](Block& b) { b.remove_triangle(m, TriangleId{4}); }); },
+               "dead");
 }
 
 TEST(Invariants, OfRegions) {
-  expect_found([](TetMesh& m) { m.region_of_tet[7] = 2; }, "parts two regions");
+  expect_found([](TetMesh& m) { m.region_of_tet[7] = RegionId{2}; }, "parts two regions");
   TetMesh mesh = sound();
   const RegionId region = mesh.region_of_tet[7];
-  mesh.region_of_tet[7] = 2;
+  mesh.region_of_tet[7] = RegionId{2};
   EXPECT_EQ(first_broken_invariant(mesh, std::vector<int>{1, 2, region + 1}), "");
   EXPECT_NE(first_broken_invariant(mesh, std::vector<int>{1, 2, 2 - region}), "");
-  EXPECT_EQ(first_broken_invariant(mesh, std::vector<TetId>{7}), "") << "only those given are compared";
+  EXPECT_EQ(first_broken_invariant(mesh, std::vector<TetId>{TetId{7}}), "") << "only those given are compared";
 }
 
 TEST(Invariants, OfVertices) {
   expect_found([](TetMesh& m) { m.tet_of_vertex[4] = none; }, "");
   expect_found(
       [](TetMesh& m) {
-        TetId t = 0;
-        while (m.tets[t].has(4)) ++t;
-        m.tet_of_vertex[4] = t;
+        for (const TetId t : m.tet_ids())
+          if (!m.tets[t].has(VertexId{4})) m.tet_of_vertex[4] = t;
       },
       "which lacks it");
-  expect_found([](TetMesh& m) { test::change_whole(m, [&](Block& b) { b.remove_vertex(m, 4); }); }, "dead");
-  expect_found([](TetMesh& m) { m.tets[3].v[2] = 1000; }, "");
+  expect_found([](TetMesh& m) { test::change_whole(m, [&](Block& b) { b.remove_vertex(m, VertexId{4}); }); }, "dead");
+  expect_found([](TetMesh& m) { m.tets[3].v[2] = VertexId{1000}; }, "");
 }
 
 TEST(Invariants, OfTheDead) {
   const auto give_dead_tet = [](TetMesh& m) {
-    test::change_whole(m, [&](Block& b) { m.tet_of_vertex[b.add_vertex(m, {}, {}, 0)] = b.tets.take(); });
+    test::change_whole(m, [&](Block& b) { m.tet_of_vertex[b.add_vertex(m, {}, {}, CellId{0})] = b.tets.take(); });
   };
   expect_found(give_dead_tet, "", true);
   const auto add_free = [](TetMesh& m, const IdNeed& ids) {
@@ -126,14 +126,14 @@ TEST(Invariants, OfTheDead) {
   };
   expect_found([&](TetMesh& m) { add_free(m, {.tets = 1}), m.tets.back().v = m.tets[0].v; }, "tetrahedra", true);
   expect_found([&](TetMesh& m) { add_free(m, {.triangles = 1}), m.triangles.pop_back(); }, "triangles", false);
-  expect_found([](TetMesh& m) { m.drift.pop_back(); }, "arrays of vertices", false);
-  expect_found([](TetMesh& m) { m.region_of_tet.push_back(0); }, "arrays of tetrahedra", false);
+  expect_found([](TetMesh& m) { m.state_of_vertex.pop_back(); }, "arrays of one entity", false);
+  expect_found([](TetMesh& m) { m.region_of_tet.push_back(RegionId{0}); }, "arrays of one entity", false);
 }
 
 TEST(Invariants, AllowTheDead) {
   TetMesh mesh = sound();
   test::change_whole(mesh, [&](Block& block) {
-    block.remove_vertex(mesh, block.add_vertex(mesh, {}, {}, 0));
+    block.remove_vertex(mesh, block.add_vertex(mesh, {}, {}, CellId{0}));
     block.remove_tet(mesh, block.tets.take());
     block.remove_triangle(mesh, block.triangles.take());
   });

@@ -9,7 +9,7 @@
 #include "mesh/hilbert.hpp"
 #include "mesh/invariants.hpp"
 #include "mesh/shapes.hpp"
-#include "mesh/whole_block.hpp"
+#include "partition/whole_block.hpp"
 #include "taut/threads.hpp"
 
 namespace taut {
@@ -53,19 +53,19 @@ void wear(TetMesh& mesh) {
   VertexId a = none, b = none;
   test::change_whole(mesh, [&](Block& block) {
     block.remove_tet(mesh, block.tets.take());
-    a = block.add_vertex(mesh, {}, {}, 0);
-    b = block.add_vertex(mesh, {}, {}, 0);
+    a = block.add_vertex(mesh, {}, {}, CellId{0});
+    b = block.add_vertex(mesh, {}, {}, CellId{0});
     block.remove_vertex(mesh, a);
     block.remove_vertex(mesh, b);
     block.remove_triangle(mesh, block.triangles.take());
   });
-  const TetId last = static_cast<TetId>(mesh.tets.size() - 2);
+  const auto last = static_cast<TetId>(mesh.tets.size() - 2), behind = static_cast<TetId>(last + 1);
   // The last living tetrahedron changes places with the dead one behind it.
-  std::swap(mesh.tets[last], mesh.tets[last + 1]);
-  std::swap(mesh.region_of_tet[last], mesh.region_of_tet[last + 1]);
-  for (TetId& t : mesh.tet_of_vertex) t = t == last ? last + 1 : t;
+  std::swap(mesh.tets[last], mesh.tets[behind]);
+  std::swap(mesh.region_of_tet[last], mesh.region_of_tet[behind]);
+  for (TetId& t : mesh.tet_of_vertex) t = t == last ? behind : t;
   for (int f = 0; f < 4; ++f) {
-    const FaceLink link = mesh.tets[last + 1].n[f], here = FaceLink::to_face(last + 1, f);
+    const FaceLink link = mesh.tets[behind].n[f], here = FaceLink::to_face(behind, f);
     if (link.is_triangle())
       for (FaceLink& side : mesh.triangles[link.triangle()].side)
         side = side == FaceLink::to_face(last, f) ? here : side;
@@ -79,12 +79,12 @@ TEST(Reorder, KeepsTheMeshAndDropsTheDead) {
   test::jitter(input, 0.05, 3);
   TetMesh mesh = build(input).mesh;
   const auto before = test::canonical(mesh);
-  for (VertexId v = 0; v < mesh.vertices.size(); ++v) {  // to be recognised
-    mesh.host_of_vertex[v] = v;
-    mesh.tag_of_vertex[v] = {2, v};
+  for (const VertexId v : ids<VertexId>(mesh.vertices.size())) {  // to be recognised
+    mesh.host_of_vertex[v] = CellId{v};
+    mesh.tag_of_vertex[v] = Tag::on_patch(PatchId{v});
     mesh.vertices[v].m = {mesh.x(v)[0], mesh.x(v)[1], mesh.x(v)[2], 0, 0, 0};
-    mesh.drift[v] = static_cast<float>(mesh.x(v)[1]);
-    mesh.restless[v] = mesh.x(v)[0] > 0.5 ? 1 : 0;
+    mesh.state_of_vertex[v].drift = static_cast<float>(mesh.x(v)[1]);
+    mesh.state_of_vertex[v].restless = mesh.x(v)[0] > 0.5;
   }
   const auto origin = mesh.origin_of_vertex;
   wear(mesh);
@@ -96,22 +96,22 @@ TEST(Reorder, KeepsTheMeshAndDropsTheDead) {
   EXPECT_EQ(mesh.tets.size(), input.tetrahedra.size());
   EXPECT_EQ(mesh.vertices.size(), input.points.size());
   EXPECT_EQ(mesh.triangles.size(), input.triangles.size());
-  for (VertexId v = 0; v < mesh.vertices.size(); ++v) {
+  for (const VertexId v : ids<VertexId>(mesh.vertices.size())) {
     EXPECT_EQ(mesh.x(v), input.points[mesh.origin_of_vertex[v]]);
     EXPECT_EQ(mesh.origin_of_vertex[v], origin[mesh.host_of_vertex[v]]);
-    EXPECT_EQ(mesh.tag_of_vertex[v], Tag(2, mesh.host_of_vertex[v]));
+    EXPECT_EQ(mesh.tag_of_vertex[v], Tag::on_patch(PatchId{mesh.host_of_vertex[v]}));
     EXPECT_EQ(mesh.vertices[v].m[2], mesh.x(v)[2]);
-    EXPECT_EQ(mesh.drift[v], static_cast<float>(mesh.x(v)[1]));
-    EXPECT_EQ(mesh.restless[v] != 0, mesh.x(v)[0] > 0.5);
+    EXPECT_EQ(mesh.state_of_vertex[v].drift, static_cast<float>(mesh.x(v)[1]));
+    EXPECT_EQ(mesh.state_of_vertex[v].restless, mesh.x(v)[0] > 0.5);
   }
 }
 
 // Every other tetrahedron gone, as far as reorder() is concerned.
 TetMesh with_gaps() {
   TetMesh mesh = build(test::grid(28)).mesh;
-  for (TetId t = 0; t < mesh.tets.size(); t += 2) mesh.tets[t].v[0] = none;
-  for (VertexId v = 0; v < mesh.vertices.size(); ++v) mesh.tet_of_vertex[v] |= 1U;
-  for (VertexId v = 0; v < mesh.vertices.size(); v += 5) mesh.host_of_vertex[v] = v;
+  for (std::size_t t = 0; t < mesh.tets.size(); t += 2) mesh.tets[t].v[0] = none;
+  for (TetId& t : mesh.tet_of_vertex) t = TetId{t | 1U};
+  for (std::size_t v = 0; v < mesh.vertices.size(); v += 5) mesh.host_of_vertex[v] = static_cast<CellId>(v);
   return mesh;
 }
 
@@ -129,9 +129,9 @@ TEST(Reorder, IsTheSameOnAnyNumberOfThreads) {
 
 TEST(Reorder, BringsNeighboursTogether) {
   const TetMesh mesh = build(test::cube(8)).mesh;
-  TetId widest = 0;
-  for (TetId t = 0; t + 1 < mesh.tets.size(); ++t) {
-    const auto smallest = [&](TetId i) { return *std::ranges::min_element(mesh.tets[i].v); };
+  std::uint32_t widest = 0;
+  for (std::size_t t = 0; t + 1 < mesh.tets.size(); ++t) {
+    const auto smallest = [&](std::size_t i) { return *std::ranges::min_element(mesh.tets[i].v); };
     EXPECT_LE(smallest(t), smallest(t + 1));
     widest = std::max(widest, smallest(t + 1) - smallest(t));
   }
@@ -141,7 +141,7 @@ TEST(Reorder, BringsNeighboursTogether) {
 TEST(Reorder, IsDoneAfterOnce) {
   TetMesh mesh = build(test::cube(3)).mesh, again = mesh;
   reorder(again);
-  for (TetId t = 0; t < mesh.tets.size(); ++t) EXPECT_EQ(mesh.tets[t].v, again.tets[t].v);
+  for (const TetId t : ids<TetId>(mesh.tets.size())) EXPECT_EQ(mesh.tets[t].v, again.tets[t].v);
 }
 
 }  // namespace

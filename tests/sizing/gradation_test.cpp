@@ -16,7 +16,7 @@ using test::Random;
 
 struct Setting {
   Mesh mesh;
-  std::vector<std::array<VertexId, 2>> edges;
+  std::vector<std::array<Index, 2>> edges;
 };
 
 Setting setting(Index n) {
@@ -26,7 +26,7 @@ Setting setting(Index n) {
 }
 
 void expect_bound_holds(const Setting& s, const std::vector<Sym3>& metrics, double beta) {
-  const auto check = [&](VertexId p, VertexId q) {
+  const auto check = [&](Index p, Index q) {
     const double growth = 1 + length_in(metrics[p], s.mesh.points[q] - s.mesh.points[p]) * std::log(beta);
     EXPECT_TRUE(is_dominated(1 / (growth * growth) * metrics[p], metrics[q], 1 + 2e-3)) << p << " to " << q;
   };
@@ -65,7 +65,7 @@ TEST(Gradation, OfASmallSizeInALargeField) {
   expect_bound_holds(s, graded, beta);
   EXPECT_EQ(graded[0], metrics[0]);
   // Where sizes are isotropic the rule is h_q <= h_p + |pq| ln beta: along an axis of the grid, a straight line.
-  for (VertexId k = 0; k <= 8; ++k) {
+  for (Index k = 0; k <= 8; ++k) {
     const double h = 1 / std::sqrt(graded[k][0]);
     EXPECT_NEAR(h, 0.01 + k / 8.0 * std::log(beta), 1e-3 * h);
   }

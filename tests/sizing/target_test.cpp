@@ -30,6 +30,25 @@ TetMesh with_metric(const Mesh& input, const MetricFunction& field) {
   return mesh;
 }
 
+/// The target that the metrics of a mesh are.
+class Field {
+public:
+  explicit Field(const TetMesh& mesh)
+      : background_(std::make_unique<Background>(mesh)), target_(*background_, metrics_of(mesh)) {}
+
+  [[nodiscard]] Sym3 at(const Vec3& x, CellId& host) const { return target_.at(x, host); }
+
+private:
+  static std::vector<Sym3> metrics_of(const TetMesh& mesh) {
+    std::vector<Sym3> metrics;
+    for (const Vertex& v : mesh.vertices) metrics.push_back(v.m);
+    return metrics;
+  }
+
+  std::unique_ptr<const Background> background_;
+  Target target_;
+};
+
 Vec3 point_in(const TetMesh& mesh, TetId t, Random& random) {
   double w[4], sum = 0;
   for (double& x : w) sum += x = random.uniform(0, 1);
@@ -56,8 +75,8 @@ TEST(Target, ReproducesConstantFieldsEverywhere) {
   for (const double smallest : {1.0, 1e-2, 1e-4}) {
     const Sym3 m = random.metric(smallest);
     const TetMesh mesh = with_metric(disturbed(test::cube(4)), [&](const Point&) { return m; });
-    const Target target(mesh);
-    std::uint32_t host = 0;
+    const Field target(mesh);
+    CellId host{0};
     for (int i = 0; i < 200; ++i) EXPECT_LT(distance(target.at(1.5 * random.point(), host), m), 1e-12);
   }
 }
@@ -67,13 +86,13 @@ TEST(Target, ReproducesFieldsThatAreLinearInTheLogarithm) {
   for (const Mesh& input : {test::cube(5), test::two_regions(4), test::ball(test::cube(4))}) {
     const LogLinear field(random);
     const TetMesh mesh = with_metric(disturbed(input), field);
-    const Target target(mesh);
-    std::uint32_t host = 0;  // wherever the last one was: all over these domains, which are convex
+    const Field target(mesh);
+    CellId host{0};  // wherever the last one was: all over these domains, which are convex
     for (int i = 0; i < 500; ++i) {
       const Vec3 x =
           point_in(mesh, static_cast<TetId>(random.uniform(0, static_cast<double>(mesh.tets.size()))), random);
       EXPECT_LT(distance(target.at(x, host), field(x)), 1e-11);
-      EXPECT_TRUE(contains(mesh, host, x));
+      EXPECT_TRUE(contains(mesh, TetId{host}, x));
     }
   }
 }
@@ -82,8 +101,8 @@ TEST(Target, FindsVerticesAndPointsOnTheBoundary) {
   Random random(3);
   const LogLinear field(random);
   const TetMesh mesh = with_metric(test::cube(4), field);
-  const Target target(mesh);
-  std::uint32_t host = 0;
+  const Field target(mesh);
+  CellId host{0};
   for (const Vertex& v : mesh.vertices) EXPECT_LT(distance(target.at(v.x, host), v.m), 1e-12);
   for (int i = 0; i < 200; ++i) {
     Vec3 x = {random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
@@ -96,9 +115,9 @@ TEST(Target, JustOutsideIsAsOnTheBoundary) {
   Random random(4);
   const LogLinear field(random);
   const TetMesh mesh = with_metric(test::cube(4), field);
-  const Target target(mesh);
+  const Field target(mesh);
   for (const double beyond : {1e-15, 1e-10, 1e-6, 1e-3}) {
-    std::uint32_t host = 0;
+    CellId host{0};
     for (int i = 0; i < 200; ++i) {
       Vec3 x = {random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
       x[i % 3] = i % 2 == 0 ? -beyond : 1 + beyond;
@@ -118,14 +137,14 @@ TEST_P(TargetOnDomains, FindsItsWay) {
   const Mesh horseshoe =
       test::restricted(test::grid(4), [](const Vec3& c) { return std::abs(c[0] - 0.5) > 0.25 || c[1] < 0.25; });
   const TetMesh mesh = with_metric(GetParam() == 0 ? disturbed(test::l_shape(4)) : horseshoe, field);
-  const Target target(mesh);
+  const Field target(mesh);
   for (int i = 0; i < 300; ++i) {
     const auto from = static_cast<TetId>(random.uniform(0, static_cast<double>(mesh.tets.size())));
     const auto to = static_cast<TetId>(random.uniform(0, static_cast<double>(mesh.tets.size())));
     const Vec3 x = point_in(mesh, to, random);
-    std::uint32_t host = from;
+    CellId host{from};
     EXPECT_LT(distance(target.at(x, host), field(x)), 1e-11) << "from " << from << " to " << to;
-    EXPECT_TRUE(contains(mesh, host, x));
+    EXPECT_TRUE(contains(mesh, TetId{host}, x));
   }
 }
 
@@ -133,9 +152,9 @@ TEST(Target, IsTheSameOnAnyNumberOfThreads) {
   Random random(7);
   const LogLinear field(random);
   const TetMesh mesh = with_metric(test::grid(28), field);
-  const Target one = test::with_threads(1, [&] { return Target(mesh); });
-  const Target three = test::with_threads(3, [&] { return Target(mesh); });
-  std::uint32_t host = 0, other_host = 0;
+  const Field one = test::with_threads(1, [&] { return Field(mesh); });
+  const Field three = test::with_threads(3, [&] { return Field(mesh); });
+  CellId host{0}, other_host{0};
   for (int i = 0; i < 300; ++i) {
     const Vec3 x = {random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
     EXPECT_EQ(one.at(x, host), three.at(x, other_host));
@@ -148,7 +167,7 @@ TEST(Target, OfAFunctionIsTheFunctionWithinBounds) {
   const LogLinear field(random);
   const Target free([&](const Point& x) { return field(x); }, 0, std::numeric_limits<double>::infinity());
   const Target bounded([&](const Point& x) { return field(x); }, 0.9, 1.1);
-  std::uint32_t host = 7;
+  CellId host{7};
   for (int i = 0; i < 100; ++i) {
     const Vec3 x = random.point();
     EXPECT_EQ(free.at(x, host), field(x));

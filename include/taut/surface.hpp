@@ -1,0 +1,12 @@
+// What may change on surfaces.
+#pragma once
+
+namespace taut {
+
+/// What may change on the boundary and on the faces between regions.
+enum class Surface {
+  adapt,  ///< planar patches are remeshed; patches that are not planar stay as they are
+  fixed,  ///< every triangle of the input stays as it is
+};
+
+}  // namespace taut

@@ -1,0 +1,33 @@
+// A mesh under adaptation with all that belongs to it.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "geometry/model.hpp"
+#include "locate/background.hpp"
+#include "mesh/tet_mesh.hpp"
+#include "sizing/target.hpp"
+
+namespace taut {
+
+/// Outlives a call: after vertices have been moved from outside, it is refreshed, not built anew.
+struct Session {
+  TetMesh mesh;  ///< with metrics, hosts and qualities
+  Model model;
+  std::unique_ptr<const Background> background;  ///< the input
+  std::unique_ptr<const Target> target;
+  std::vector<VertexId> vertex_of_point;   ///< in the background; `none` for a point of no tetrahedron
+  std::vector<std::uint32_t> tet_of_cell;  ///< of the input
+
+  /// Sets the quality of every tetrahedron.
+  void measure_qualities();
+
+  /// Brings up to date what depends on the places of vertices that were moved: their metrics and hosts, the patches and
+  /// lines that they span, and the qualities of their tetrahedra; operations there are worth trying again. The mesh
+  /// must be without dead entities and stay valid.
+  void refresh(std::span<const VertexId> moved);
+};
+
+}  // namespace taut

@@ -1,0 +1,111 @@
+#include "geometry/features.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "taut/error.hpp"
+
+namespace taut {
+namespace {
+
+using GivenEdges = std::map<std::array<VertexId, 2>, Feature>;
+
+VertexId vertex_of(const Mesh& input, const Built& built, std::size_t edge, int k) {
+  const auto& e = input.edges[edge];
+  const VertexId v = built.vertex_of_point[e[k]];
+  if (v == none)
+    throw InputError(
+        fmt::format("edge {} ({} {}): vertex {} is of no tetrahedron", edge + 1, e[0] + 1, e[1] + 1, e[k] + 1));
+  return v;
+}
+
+// The edges of the input by their vertices.
+GivenEdges given_edges(const Mesh& input, const Built& built) {
+  GivenEdges given;
+  std::vector<Feature*> of_input;
+  for (std::size_t e = 0; e < input.edges.size(); ++e) {
+    // Of values: no reference to them is kept.
+    const auto [a, b] = std::minmax({vertex_of(input, built, e, 0), vertex_of(input, built, e, 1)});
+    Feature& feature = given[{a, b}];
+    feature.edge = {a, b};
+    feature.ref = input.edge_refs.empty() ? 0 : input.edge_refs[e];
+    of_input.push_back(&feature);
+  }
+  for (Index e : input.ridges) of_input[e]->sharp = true;
+  for (Index e : input.required_edges) of_input[e]->required = true;
+  return given;
+}
+
+class FeatureFinder {
+public:
+  FeatureFinder(const Built& built, const std::vector<std::uint8_t>& required, double ridge_angle)
+      : mesh_(built.mesh),
+        refs_(built.triangle_refs),
+        required_(required),
+        smooth_cosine_(std::cos(ridge_angle * std::numbers::pi / 180)) {
+    for (const Triangle& t : mesh_.triangles)
+      area_normal_.push_back(cross(mesh_.x(t.v[1]) - mesh_.x(t.v[0]), mesh_.x(t.v[2]) - mesh_.x(t.v[0])));
+  }
+
+  // What the triangles at an edge say of it.
+  [[nodiscard]] std::optional<Feature> at(std::span<const EdgeUse> uses, bool given) const {
+    Feature feature;
+    feature.edge = uses[0].edge;
+    feature.sharp = uses.size() != 2 || is_ridge(uses[0], uses[1]);
+    if (feature.sharp) return feature;
+    feature.implicit = required_[uses[0].triangle] != required_[uses[1].triangle];
+    if (feature.implicit || given) return feature;
+    return std::nullopt;
+  }
+
+private:
+  [[nodiscard]] bool is_ridge(const EdgeUse& s, const EdgeUse& t) const {
+    const Vec3 &n = area_normal_[s.triangle], &m = area_normal_[t.triangle];
+    // Interfaces may be oriented either way: compare with the orientation in which the edge is run through oppositely.
+    const double sign = runs_forward(s) != runs_forward(t) ? 1 : -1;
+    return sign * dot(n, m) <= smooth_cosine_ * norm(n) * norm(m) || refs_[s.triangle] != refs_[t.triangle];
+  }
+
+  [[nodiscard]] bool runs_forward(const EdgeUse& use) const {
+    return mesh_.triangles[use.triangle].v[(use.corner + 1) % 3] == use.edge[0];
+  }
+
+  const TetMesh& mesh_;
+  const std::vector<int>& refs_;
+  const std::vector<std::uint8_t>& required_;
+  double smooth_cosine_;
+  std::vector<Vec3> area_normal_;
+};
+
+}  // namespace
+
+Features find_features(const Mesh& input, const Built& built, const std::vector<EdgeUse>& uses_of_edges,
+                       const std::vector<std::uint8_t>& required, double ridge_angle) {
+  GivenEdges given = given_edges(input, built);
+  const FeatureFinder finder(built, required, ridge_angle);
+  Features features;
+  for_each_edge(uses_of_edges, [&](std::span<const EdgeUse> uses) {
+    const auto found = given.find(uses[0].edge);
+    auto feature = finder.at(uses, found != given.end());
+    if (!feature) return;
+    if (found != given.end()) {
+      feature->ref = found->second.ref;
+      feature->required = found->second.required;
+      feature->sharp |= found->second.sharp;
+      feature->implicit = false;
+      given.erase(found);
+    }
+    feature->uses.assign(uses.begin(), uses.end());
+    features.surface.push_back(std::move(*feature));
+  });
+  for (auto& [edge, feature] : given) features.inner.push_back(std::move(feature));
+  return features;
+}
+
+}  // namespace taut

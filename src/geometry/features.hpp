@@ -1,0 +1,34 @@
+// The edges at which the surface is parted.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/surface_edges.hpp"
+#include "mesh/build.hpp"
+#include "taut/mesh.hpp"
+
+namespace taut {
+
+/// What the input says of an edge, and the triangles that meet there.
+struct Feature {
+  std::array<VertexId, 2> edge{};  ///< ascending
+  int ref = 0;
+  bool sharp = false, required = false;
+  bool implicit = false;  ///< only parts required triangles from others
+  std::vector<EdgeUse> uses;
+};
+
+struct Features {
+  std::vector<Feature> surface;  ///< in ascending order of their edges
+  std::vector<Feature> inner;    ///< edges of the input that are on no triangle
+};
+
+/// Feature edges are: edges of the input; edges where other than two triangles meet, or two of different reference, or
+/// two whose normals differ by `ridge_angle` degrees or more; edges between required triangles (`required` is not 0)
+/// and others. Throws InputError for an edge of the input at a point of no tetrahedron.
+[[nodiscard]] Features find_features(const Mesh& input, const Built& built, const std::vector<EdgeUse>& uses,
+                                     const std::vector<std::uint8_t>& required, double ridge_angle);
+
+}  // namespace taut

@@ -1,0 +1,89 @@
+#include "locate/background.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/parallel.hpp"
+
+namespace taut {
+namespace {
+
+constexpr int most_steps = 4000;         // of a walk: a mesh of a million tetrahedra is some 200 across
+constexpr std::size_t most_cells = 400;  // looked at round the place where a walk met the boundary
+constexpr double inside = -1e-9;         // a barycentric coordinate above it is as good as zero
+constexpr double on_boundary = -1e-6;    // rounding of a point on an oblique face
+
+}  // namespace
+
+Background::Background(const TetMesh& mesh) : points_(mesh.vertices.size()), cells_(mesh.tets.size()) {
+  for_each_index(points_.size(), [&](std::size_t v) { points_[v] = mesh.vertices[v].x; });
+  for_each_index(cells_.size(), [&](std::size_t t) {
+    cells_[t].v = mesh.tets[t].v;
+    for (int f = 0; f < 4; ++f) {
+      const FaceLink link = mesh.beyond(static_cast<TetId>(t), f);
+      cells_[t].beyond[f] = link == outside ? CellId{none} : static_cast<CellId>(link.tet());
+    }
+  });
+}
+
+Weights Background::locate(const Vec3& x, CellId& host) const {
+  Weights weights;
+  if (!walk(x, host, weights)) search_around(x, host, weights);
+  double sum = 0;
+  for (double& w : weights) sum += w = std::max(w, 0.0);
+  for (double& w : weights) w /= sum;
+  return weights;
+}
+
+Weights Background::barycentric(CellId cell, const Vec3& x) const {
+  const auto& v = cells_[cell].v;
+  const Vec3 d = points_[v[0]] - x, a = points_[v[1]] - x, b = points_[v[2]] - x, c = points_[v[3]] - x;
+  const Vec3 ab = cross(a, b), cd = cross(c, d);
+  const Weights w = {dot(ab, c), -dot(cd, b), dot(cd, a), -dot(ab, d)};
+  const double scale = 1 / (w[0] + w[1] + w[2] + w[3]);
+  return {w[0] * scale, w[1] * scale, w[2] * scale, w[3] * scale};
+}
+
+// From cell to cell across the face that the point lies farthest beyond. False if the boundary was in the way.
+bool Background::walk(const Vec3& x, CellId& host, Weights& weights) const {
+  CellId from = none;
+  for (int step = 0; step < most_steps; ++step) {
+    weights = barycentric(host, x);
+    int worst = -1;
+    double least = inside;
+    bool blocked = false;
+    for (int f = 0; f < 4; ++f) {
+      if (weights[f] >= least) continue;
+      if (cells_[host].beyond[f] == none) {
+        blocked = true;
+      } else if (cells_[host].beyond[f] != from) {  // never straight back: rounding could make it swing to and fro
+        least = weights[f];
+        worst = f;
+      }
+    }
+    if (worst < 0) return !blocked;
+    from = std::exchange(host, cells_[host].beyond[worst]);
+  }
+  return false;
+}
+
+// The walk ended at the boundary: of the cells around, the one that the point is in, or least outside of.
+void Background::search_around(const Vec3& x, CellId& host, Weights& weights) const {
+  const auto lowest = [](const Weights& w) { return *std::min_element(w.begin(), w.end()); };
+  double best = lowest(weights);
+  if (best > on_boundary) return;
+  std::vector<CellId> queue{host};
+  for (std::size_t i = 0; i < queue.size() && queue.size() < most_cells && best < inside; ++i) {
+    for (const CellId next : cells_[queue[i]].beyond) {
+      if (next == none || std::ranges::find(queue, next) != queue.end()) continue;
+      queue.push_back(next);
+      const Weights w = barycentric(next, x);
+      if (lowest(w) <= best) continue;
+      best = lowest(w);
+      host = next;
+      weights = w;
+    }
+  }
+}
+
+}  // namespace taut

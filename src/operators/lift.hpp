@@ -1,0 +1,12 @@
+// A vertex moved off the face that the worst tetrahedron of its ball is flat on.
+#pragma once
+
+#include "operators/kernel.hpp"
+
+namespace taut {
+
+/// Moves v off the face opposite to it in the worst tetrahedron of its ball, if the worst 1/Q grows by the factor
+/// `gain`.
+Outcome lift(Kernel& kernel, VertexId v, double gain);
+
+}  // namespace taut

@@ -1,0 +1,26 @@
+#include "operators/repair.hpp"
+
+#include "operators/collapse.hpp"
+#include "operators/lift.hpp"
+
+namespace taut {
+
+Outcome repair(Kernel& kernel, TetId t, const RepairRules& rules) {
+  const CollapseRules collapse{
+      .longest_new_edge = rules.longest_new_edge, .worst_quality = 1, .share_of_old = rules.gain};
+  bool put_off = false;
+  Outcome outcome = Outcome::no_candidate;
+  for (VertexId v : kernel.mesh.tets[t].v) {
+    outcome = lift(kernel, v, rules.gain);
+    if (outcome == Outcome::accepted) return outcome;
+    put_off |= outcome == Outcome::put_off;
+  }
+  for (int e = 0; rules.may_collapse && e < 6; ++e) {
+    outcome = collapse_edge(kernel, t, e, collapse);
+    if (outcome == Outcome::accepted) return outcome;
+    put_off |= outcome == Outcome::put_off;
+  }
+  return put_off ? Outcome::put_off : outcome;
+}
+
+}  // namespace taut

@@ -1,0 +1,109 @@
+#include "operators/vertex_move.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "mesh/orientation.hpp"
+#include "metric/quality.hpp"
+
+namespace taut {
+
+VertexMove::VertexMove(Kernel& kernel, VertexId v)
+    : k_(kernel), mesh_(kernel.mesh), v_(v), old_(mesh_.vertices[v]), tag_(mesh_.tag_of_vertex[v]) {}
+
+// The ball first, then its vertices: what the walk finds is on its way from memory when it is needed.
+Outcome VertexMove::gather() {
+  std::array<std::array<VertexId, 4>, TetSet::capacity> faces;  // opposite to v, and the vertex not met before
+  int count = 0;
+  const auto visit = [&](const Tet& tet, int at, VertexId fresh) {
+    const auto& corner = face_vertices[at];
+    faces[count++] = {tet.v[corner[0]], tet.v[corner[1]], tet.v[corner[2]], fresh};
+    if (fresh != none) __builtin_prefetch(&mesh_.vertices[fresh]);
+    old_quality_ = std::min(old_quality_, double{tet.state.quality});
+  };
+  if (!walk_ball(mesh_, v_, k_.cavity.tets, visit)) return Outcome::too_large;
+  if (k_.any_frozen(k_.cavity.tets.span())) return Outcome::frozen;
+  k_.batch.clear();
+  k_.neighbours.clear();
+  for (int k = 0; k < 3; ++k) (void)k_.neighbours.add(mesh_, faces[0][k]);
+  for (int i = 0; i < count; ++i) {
+    const auto& [a, b, c, fresh] = faces[i];
+    if (fresh != none && k_.neighbours.add(mesh_, fresh) < 0) return Outcome::too_large;
+    k_.batch.push(mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]);
+  }
+  lengths_ = k_.neighbours.lengths(old_);
+  for (double l : lengths_) {
+    not_unit_ |= !is_unit(l);
+    old_phi_ += efficiency_phi(l);
+  }
+  return Outcome::accepted;
+}
+
+void VertexMove::propose(const Vec3& step) {
+  measured_ = false;
+  moved_.x = k_.model.project(tag_, old_.x + step);
+  host_ = mesh_.host_of_vertex[v_];
+  moved_.m = k_.target.at(moved_.x, host_);
+  k_.batch.evaluate(moved_);
+}
+
+std::span<const double> VertexMove::new_lengths() {
+  if (!std::exchange(measured_, true)) lengths_ = k_.neighbours.lengths(moved_);
+  return lengths_;
+}
+
+Outcome VertexMove::commit(const MoveRules& rules) {
+  if (!all_positive()) return Outcome::inverted;
+  write(rules);
+  note_lengths();
+  return Outcome::accepted;
+}
+
+bool VertexMove::all_positive() const {
+  for (int i = 0; i < k_.batch.size(); ++i) {
+    if (k_.batch.volume[i] > k_.batch.doubtful_volume[i]) continue;
+    const TetId t = k_.cavity.tets[i];
+    const auto f = mesh_.face(t, mesh_.tets[t].index_of(v_));
+    if (orientation(moved_.x, mesh_.x(f[0]), mesh_.x(f[1]), mesh_.x(f[2])) <= 0) return false;
+  }
+  return true;
+}
+
+void VertexMove::write(const MoveRules& rules) {
+  mesh_.vertices[v_] = moved_;
+  mesh_.host_of_vertex[v_] = host_;
+  const double moved_by = std::sqrt(quadratic_form(moved_.m, moved_.x - old_.x));
+  float& drift = mesh_.state_of_vertex[v_].drift;
+  drift += static_cast<float>(moved_by);
+  const bool forget = drift > rules.drift;
+  if (forget) drift = 0;
+  for (int i = 0; i < k_.batch.size(); ++i) {
+    TetState& state = mesh_.tets[k_.cavity.tets[i]].state;
+    state.quality = static_cast<float>(k_.batch.quality[i]);
+    if (!forget) continue;
+    state.tried.forget_swaps();
+    state.tried.forget_lengths();
+  }
+  if (moved_by < rules.still) return;
+  mesh_.state_of_vertex[v_].restless = true;
+  for (int i = 0; i < k_.neighbours.size(); ++i) mesh_.state_of_vertex[k_.neighbours.id(i)].restless = true;
+}
+
+// Where an edge is not unit, or was not, the passes that split and collapse must know.
+void VertexMove::note_lengths() {
+  k_.efficiency_gain -= old_phi_;
+  const auto lengths = new_lengths();
+  for (double l : lengths) {
+    k_.efficiency_gain += efficiency_phi(l);
+    not_unit_ |= !is_unit(l);
+  }
+  if (!not_unit_) return;
+  for (int i = 0; i < k_.batch.size(); ++i) {
+    Tet& tet = mesh_.tets[k_.cavity.tets[i]];
+    const int at = tet.index_of(v_);
+    for (int k : face_vertices[at]) note_length(tet, edge_between[at][k], lengths[k_.neighbours.find(tet.v[k])]);
+  }
+}
+
+}  // namespace taut

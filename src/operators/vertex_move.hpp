@@ -1,0 +1,56 @@
+// A vertex that changes its place and nothing else: its ball gathered once, and evaluated with the vertex elsewhere.
+#pragma once
+
+#include <span>
+
+#include "operators/kernel.hpp"
+
+namespace taut {
+
+struct MoveRules {
+  double still = 0.03;  ///< a move shorter than it, in the metric, changes nothing for the neighbours
+  double drift = 0.1;   ///< moves that add up to more than it make swaps around worth trying again
+};
+
+/// Use: gather(); then propose() places until one pleases; commit() it.
+class VertexMove {
+public:
+  VertexMove(Kernel& kernel, VertexId v);
+
+  /// Collects the ball and measures its edges. Refused if it has no room or is frozen.
+  [[nodiscard]] Outcome gather();
+
+  [[nodiscard]] const Vertex& old() const { return old_; }
+  [[nodiscard]] Tag tag() const { return tag_; }
+  [[nodiscard]] double old_quality() const { return old_quality_; }               ///< the worst 1/Q of the ball
+  [[nodiscard]] std::span<const double> old_lengths() const { return lengths_; }  ///< valid until the first propose()
+
+  /// The place nearest to old + step on the vertex's patch or line. Afterwards the kernel's batch holds the ball's
+  /// qualities there.
+  void propose(const Vec3& step);
+
+  /// The lengths of the edges from the place proposed; valid until the next propose().
+  [[nodiscard]] std::span<const double> new_lengths();
+
+  /// Moves the vertex to the place last proposed, unless a tetrahedron of the ball would not be positive there.
+  [[nodiscard]] Outcome commit(const MoveRules& rules);
+
+private:
+  [[nodiscard]] bool all_positive() const;
+  void write(const MoveRules& rules);
+  void note_lengths();
+
+  Kernel& k_;
+  TetMesh& mesh_;
+  const VertexId v_;
+  const Vertex old_;
+  const Tag tag_;
+  Vertex moved_{};
+  CellId host_ = none;
+  std::span<const double> lengths_;  // at the old place, or at the new one if that is measured
+  bool measured_ = false;            // whether it is
+  double old_quality_ = 1, old_phi_ = 0;
+  bool not_unit_ = false;
+};
+
+}  // namespace taut

@@ -1,0 +1,67 @@
+#include "operators/repair.hpp"
+
+#include "operators/workbench.hpp"
+
+namespace taut {
+namespace {
+
+using test::Attempts;
+using test::Workbench;
+
+double worst_of(const TetMesh& mesh) {
+  double worst = 1;
+  for (TetId t : test::living_tets(mesh)) worst = std::min(worst, test::quality_of(mesh, t));
+  return worst;
+}
+
+TEST(Repair, NeverMakesTheWorstWorse) {
+  unsigned seed = 0;
+  int accepted = 0;
+  for (const Mesh& input : test::disturbed_domains()) {
+    for (const Surface surface : {Surface::adapt, Surface::fixed}) {
+      Workbench bench(input, test::random_field(input, 0.6, ++seed), surface);
+      Attempts trial(bench);
+      double worst = worst_of(bench.mesh);
+      for (const TetId t : ids<TetId>(bench.mesh.tets.size())) {
+        if (testing::Test::HasFatalFailure()) return;
+        if (!bench.mesh.tets[t].alive() || bench.mesh.tets[t].state.quality > 0.5F) continue;
+        const Outcome outcome = trial([&] { return repair(bench.kernel, t, {}); });
+        const double now = worst_of(bench.mesh);
+        EXPECT_GE(now, worst - 1e-7);
+        EXPECT_TRUE(outcome == Outcome::accepted || now == worst);
+        worst = now;
+      }
+      accepted += trial.count[Outcome::accepted];
+    }
+  }
+  EXPECT_GT(accepted, 50);
+}
+
+TEST(Repair, RemovesASliver) {
+  // A vertex inside a grid comes close to the plane of three neighbours: unit edges, hardly any volume.
+  Mesh input = test::cube(3);
+  const Index v = 16 + 4 + 1;
+  input.points[v] = input.points[v] + Vec3{0.31, 0.02, 0.02};
+  Workbench bench(input, Sizes(input.points.size(), 0.35));
+  ASSERT_LT(worst_of(bench.mesh), 0.15);
+  Attempts trial(bench);
+  for (int sweep = 0; sweep < 4; ++sweep)
+    for (const TetId t : ids<TetId>(bench.mesh.tets.size()))
+      if (bench.mesh.tets[t].alive() && bench.mesh.tets[t].state.quality < 0.4F)
+        (void)trial([&] { return repair(bench.kernel, t, {}); });
+  EXPECT_GT(worst_of(bench.mesh), 0.3);
+}
+
+TEST(Repair, LeavesTheRequiredAlone) {
+  Mesh input = test::disturbed_domains()[0];
+  for (Index p = 0; p < input.points.size(); ++p) input.required_points.push_back(p);
+  Workbench bench(input, test::random_field(input, 0.6, 1));
+  Attempts trial(bench);
+  for (TetId t : test::living_tets(bench.mesh)) {
+    const Outcome outcome = trial([&] { return repair(bench.kernel, t, {}); });
+    EXPECT_NE(outcome, Outcome::accepted);
+  }
+}
+
+}  // namespace
+}  // namespace taut
