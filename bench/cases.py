@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Whole runs at several sizes, and mmg3d_O3 beside them when it is on PATH.
 
-Each run starts from a grid of a cube and adapts it PASSES times to an analytic metric evaluated anew on each mesh. Seconds
-are those of all passes, files included; the rate is tetrahedra of the last mesh per second of one pass.
+Each run starts from a grid of a cube and adapts it ADAPTATIONS times to an analytic metric evaluated anew on each mesh. Seconds
+are those of all adaptations, files included; the rate is tetrahedra of the last mesh per second of one adaptation.
 """
 import argparse
 import itertools
@@ -53,16 +53,16 @@ def programs(taut):
         yield "mmg3d", lambda mesh, metric, out: [peer, "-v", "0", "-hgrad", "-1", "-in", mesh, "-sol", metric, "-out", out]
 
 
-def measured(taut, command, case, divisor, grid, passes):
+def measured(taut, command, case, divisor, grid, adaptations):
     """The figures of one run, quality as taut measures it."""
     field = lambda points: getattr(fields, case)(points, divisor)
     with tempfile.TemporaryDirectory() as folder:
         start, out = pathlib.Path(folder, "start.meshb"), pathlib.Path(folder, "out.meshb")
         gmf.write_mesh(start, cube(grid, *DOMAINS[case]))
-        metric, seconds, peak = outer_loop.run(command, start, field, passes, out)
+        metric, seconds, peak = outer_loop.run(command, start, field, adaptations, out)
         report = subprocess.run([taut, "quality", out, "--metric", metric, "--json"], check=True, stdout=subprocess.PIPE)
         figures = json.loads(report.stdout)["quality"]
-    figures.update(seconds=seconds, rate=figures["tetrahedra"] * passes / seconds, peak=peak / figures["tetrahedra"])
+    figures.update(seconds=seconds, rate=figures["tetrahedra"] * adaptations / seconds, peak=peak / figures["tetrahedra"])
     return figures
 
 
@@ -72,14 +72,14 @@ def main():
     parser.add_argument("--cases", nargs="+", choices=DOMAINS, default=list(DOMAINS))
     parser.add_argument("--divisors", nargs="+", type=float, default=DIVISORS, help="of all sizes")
     parser.add_argument("--grid", type=int, default=10, help="boxes along a side of the start")
-    parser.add_argument("--passes", type=int, default=2)
+    parser.add_argument("--adaptations", type=int, default=2)
     options = parser.parse_args()
     print(f"{'case':8}{'sizes /':>8} {'program':8}{'tets':>10}{'tau':>7}{'unit %':>8}{'Q<=3 %':>8}{'worst Q':>9}{'s':>8}"
           f"{'ktets/s':>9}{'peak B/tet':>11}{'time ratio':>11}")
     for case, divisor in itertools.product(options.cases, options.divisors):
         ours = None
         for name, command in programs(options.taut):
-            f = measured(options.taut, command, case, divisor, options.grid, options.passes)
+            f = measured(options.taut, command, case, divisor, options.grid, options.adaptations)
             ours = ours or f["seconds"]
             print(f"{case:8}{divisor:8g} {name:8}{f['tetrahedra']:10,}{f['tau']:7.3f}{100 * f['unit_edges']:8.2f}"
                   f"{100 * f['Q_up_to_3']:8.2f}{f['Q_max']:9.3g}{f['seconds']:8.2f}{f['rate'] / 1000:9.1f}{f['peak']:11.0f}"

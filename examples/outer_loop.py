@@ -18,14 +18,14 @@ def taut_command(taut, *options):
     return lambda mesh, metric, out: [taut, "adapt", mesh, "--metric", metric, "-o", out, "--quiet", *options]
 
 
-def run(command, start, field, passes, out):
-    """Calls the program command(mesh, metric, out) `passes` times; leaves the last mesh at `out`, a .meshb.
+def run(command, start, field, adaptations, out):
+    """Calls the program command(mesh, metric, out) `adaptations` times; leaves the last mesh at `out`, a .meshb.
 
     Returns the file of the field on that mesh, the seconds in the program, files included, and its peak of bytes.
     """
     metric = out.with_suffix(".metric.solb")
     mesh, seconds, peak = start, 0.0, 0
-    for _ in range(passes):
+    for _ in range(adaptations):
         gmf.write_metric(metric, field(gmf.read_mesh(mesh).points))
         words = command(mesh, metric, out)
         measure = subprocess.run([sys.executable, "-c", _MEASURE, *words], check=True, stdout=subprocess.PIPE, text=True)

@@ -66,7 +66,9 @@ void add_options(CLI::App& command, AdaptJob& job) {
   add_files(command, job);
   add_sizes(command, job);
   add_surface(command, job.options);
-  command.add_option("--passes", job.options.passes, "rounds at most; it ends before if nothing gains")
+  command
+      .add_option("--rounds,--passes", job.options.max_rounds,
+                  "at most this many rounds; it stops earlier once they gain little")
       ->type_name("N")
       ->capture_default_str()
       ->check(count());

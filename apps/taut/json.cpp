@@ -87,7 +87,7 @@ Json json_of(const AdaptJob& job) {
             {"hmax", o.hmax},
             {"gradation", null_if_none(o.gradation)},
             {"angle", o.ridge_angle},
-            {"passes", o.passes},
+            {"rounds", o.max_rounds},
             {"threads", job.threads},
             {"block_size", o.block_size}}}};
 }

@@ -19,7 +19,7 @@ import outer_loop  # noqa: E402
 import picture  # noqa: E402
 
 RING_RADIUS, RING_HEIGHT = 15.0, 20.0  # in the middle of the boss's wall
-PASSES = 3  # the first sees the ring only where gmsh happened to put a vertex
+ADAPTATIONS = 3  # the first sees the ring only where gmsh happened to put a vertex
 FINEST, COARSEST, GROWTH = 0.2, 2.5, 0.45
 
 
@@ -51,10 +51,10 @@ def main():
     subprocess.run(["gmsh", "-3", "-v", "2", "-o", start, here / "part.geo"], check=True)
     before = gmf.read_mesh(start)
     command = outer_loop.taut_command(taut, "--surface", "fixed")
-    _, seconds, _ = outer_loop.run(command, start, wanted_sizes, PASSES, adapted)
+    _, seconds, _ = outer_loop.run(command, start, wanted_sizes, ADAPTATIONS, adapted)
     after = gmf.read_mesh(adapted)
     print(f"\nA bracket from CAD: {len(before.tetrahedra):,} tetrahedra from gmsh, {len(after.tetrahedra):,} after "
-          f"{PASSES} adaptations in {seconds:.1f} s")
+          f"{ADAPTATIONS} adaptations in {seconds:.1f} s")
     save_cut(folder / "part-cut.png", before, after)
     print("", adapted, folder / "part-cut.png", sep="\n")
 

@@ -20,7 +20,7 @@ import measures  # noqa: E402
 import outer_loop  # noqa: E402
 import picture  # noqa: E402
 
-PASSES = 5
+ADAPTATIONS = 5
 
 
 def percent(share):
@@ -38,7 +38,7 @@ def print_figures(taut, mesh, metric, seconds):
         ("edges that are unit", "", percent(ours["unit_edges"])),
         ("seconds", "", f"{seconds:.1f}"),
     ]
-    print(f"\nExample 5.1, planar shock, surface fixed, {PASSES} adaptations")
+    print(f"\nExample 5.1, planar shock, surface fixed, {ADAPTATIONS} adaptations")
     print(f"{'':28}{'paper':>12}{'taut':>12}")
     for name, paper, measured in rows:
         print(f"{name:28}{paper or '-':>12}{measured:>12}")
@@ -62,7 +62,7 @@ def main():
     taut, folder = sys.argv[1], pathlib.Path(sys.argv[2])
     file, cut, histogram = (folder / name for name in ("shock.meshb", "shock-cut.png", "shock-histogram.png"))
     command = outer_loop.taut_command(taut, "--surface", "fixed")
-    metric_file, seconds, _ = outer_loop.run(command, here / "start.meshb", fields.shock, PASSES, file)
+    metric_file, seconds, _ = outer_loop.run(command, here / "start.meshb", fields.shock, ADAPTATIONS, file)
     print_figures(taut, file, metric_file, seconds)
     mesh = gmf.read_mesh(file)
     metric = fields.shock(mesh.points)

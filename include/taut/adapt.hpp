@@ -34,7 +34,7 @@ struct AdaptOptions {
   double hmax = std::numeric_limits<double>::infinity();  ///< no wanted size above it
   std::optional<double> gradation{};  ///< sizes grow by at most this factor (> 1) per unit length; none: as given
   double ridge_angle = 45;            ///< degrees between the normals of two triangles from which their edge is a ridge
-  int passes = 40;  ///< rounds of insertion, collapse, swaps and relocation at most; it ends before if nothing gains
+  int max_rounds = 40;  ///< fewer are done if two in a row gain less than they cost
   ProgressCallback progress{};
   /// At most; 0: those of the caller's oneTBB task arena, by default one a core. The result is the same.
   int threads = 0;

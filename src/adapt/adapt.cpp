@@ -14,7 +14,7 @@ AdaptResult adapt_here(const Mesh& mesh, const Metric& metric, const AdaptOption
   AdaptResult result;
   result.report.threads = worker_count();
   Session session = set_up(mesh, metric, options, result.report);
-  run_rounds(session, {.most = options.passes, .block_size = options.block_size}, options.progress, result.report);
+  run_rounds(session, {.most = options.max_rounds, .block_size = options.block_size}, options.progress, result.report);
   session.target.reset();
   const Stopwatch watch;
   assemble(session, mesh, result);

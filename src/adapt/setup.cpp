@@ -21,7 +21,7 @@ void require_options(const AdaptOptions& o) {
     throw InputError(fmt::format("gradation {} found, expected a number above 1", *o.gradation));
   if (!(o.ridge_angle > 0 && o.ridge_angle < 180))
     throw InputError(fmt::format("ridge angle {} found, expected between 0 and 180 degrees", o.ridge_angle));
-  if (o.passes < 0) throw InputError(fmt::format("{} passes found, expected 0 or more", o.passes));
+  if (o.max_rounds < 0) throw InputError(fmt::format("{} rounds found, expected 0 or more", o.max_rounds));
 }
 
 namespace {

@@ -109,7 +109,7 @@ TEST(BadInput, Options) {
   expect_option_refused([](AdaptOptions& o) { o.gradation = infinity; }, "gradation");
   expect_option_refused([](AdaptOptions& o) { o.ridge_angle = 0; }, "angle");
   expect_option_refused([](AdaptOptions& o) { o.ridge_angle = 180; }, "angle");
-  expect_option_refused([](AdaptOptions& o) { o.passes = -1; }, "passes");
+  expect_option_refused([](AdaptOptions& o) { o.max_rounds = -1; }, "-1 rounds");
 }
 
 }  // namespace

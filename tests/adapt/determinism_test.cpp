@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(Threads, Determinism,
 
 // Odd numbers of threads are watched. The blocks are so small that a case has several.
 TEST_P(Determinism, SameBits) {
-  run.options.passes = 6;
+  run.options.max_rounds = 6;
   run.options.threads = threads;
   run.options.block_size = 150;
   int calls = 0;
@@ -120,7 +120,7 @@ TEST(Threads, MayBeManyBlocksOfNextToNothing) {
   const Mesh mesh = test::cube(4);  // many equal coordinates: blocks may be empty
   std::set<std::uint64_t> hashes;
   for (const int threads : {1, 3}) {
-    const AdaptResult result = adapt(mesh, test::uniform(0.2), {.passes = 4, .threads = threads, .block_size = 1});
+    const AdaptResult result = adapt(mesh, test::uniform(0.2), {.max_rounds = 4, .threads = threads, .block_size = 1});
     test::expect_faithful(result, mesh);
     EXPECT_GT(result.report.blocks, 50);
     hashes.insert(result.report.hash);
@@ -133,10 +133,10 @@ TEST(Threads, AreThoseOfTheCallersArena) {
   for (const int threads : {1, 2}) {
     oneapi::tbb::task_arena arena(threads);
     arena.execute([&] {
-      const AdaptResult result = adapt(run.mesh, run.metric, {.passes = 1});
+      const AdaptResult result = adapt(run.mesh, run.metric, {.max_rounds = 1});
       EXPECT_EQ(result.report.threads, threads);
-      EXPECT_EQ(adapt(run.mesh, run.metric, {.passes = 1, .threads = 3}).report.threads, 3) << "unless asked for";
-      EXPECT_EQ(adapt(run.mesh, run.metric, {.passes = 1, .threads = 3}).report.hash, result.report.hash);
+      EXPECT_EQ(adapt(run.mesh, run.metric, {.max_rounds = 1, .threads = 3}).report.threads, 3) << "unless asked for";
+      EXPECT_EQ(adapt(run.mesh, run.metric, {.max_rounds = 1, .threads = 3}).report.hash, result.report.hash);
     });
   }
 }

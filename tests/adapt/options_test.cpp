@@ -11,23 +11,23 @@ namespace {
 
 using test::cube;
 
-AdaptOptions with_passes(int passes) {
+AdaptOptions with_rounds(int rounds) {
   AdaptOptions options;
-  options.passes = passes;
+  options.max_rounds = rounds;
   return options;
 }
 
 TEST(Adapt, TheSameInputGivesTheSameBits) {
   const Mesh mesh = test::two_regions(4);
   for (const auto& field : {test::patchwork(0.6, 3), test::front(0.4, 0.5)}) {
-    const AdaptResult one = adapt(mesh, field, with_passes(5)), two = adapt(mesh, field, with_passes(5));
+    const AdaptResult one = adapt(mesh, field, with_rounds(5)), two = adapt(mesh, field, with_rounds(5));
     EXPECT_EQ(one.report.hash, two.report.hash);
     EXPECT_EQ(one.mesh.points, two.mesh.points);
     EXPECT_EQ(one.mesh.tetrahedra, two.mesh.tetrahedra);
     EXPECT_EQ(one.mesh.triangles, two.mesh.triangles);
     EXPECT_EQ(one.metric, two.metric);
     EXPECT_EQ(one.new_of_old, two.new_of_old);
-    EXPECT_NE(one.report.hash, adapt(mesh, field, with_passes(1)).report.hash) << "the hash tells meshes apart";
+    EXPECT_NE(one.report.hash, adapt(mesh, field, with_rounds(1)).report.hash) << "the hash tells meshes apart";
   }
 }
 
@@ -52,7 +52,7 @@ TEST(Adapt, AConstantMetricComesOutOfGradationUnchanged) {
   for (int i = 0; i < 3; ++i) {
     const Sym3 m = 1 / (0.5 * 0.5) * random.metric(0.1);
     const Tensors constant(mesh.points.size(), m);
-    AdaptOptions options = with_passes(4);
+    AdaptOptions options = with_rounds(4);
     const auto without = adapt(mesh, constant, options);
     for (const double beta : {1.05, 1.5}) {
       options.gradation = beta;
@@ -130,10 +130,10 @@ TEST(Adapt, ASecondRunFindsLittleToDo) {
               0.05);
 }
 
-TEST(Adapt, NoPassesChangeNothing) {
+TEST(Adapt, NoRoundsChangeNothing) {
   Mesh mesh = cube(3);
   mesh.point_refs = std::vector<int>(mesh.points.size(), 4);
-  const auto result = adapt(mesh, test::uniform(0.01), with_passes(0));
+  const auto result = adapt(mesh, test::uniform(0.01), with_rounds(0));
   test::expect_faithful(result, mesh);
   EXPECT_EQ(result.report.rounds, 0);
   EXPECT_EQ(test::placed_triangles(result.mesh), test::placed_triangles(mesh));

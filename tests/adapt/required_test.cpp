@@ -14,7 +14,7 @@ constexpr Index at(Index i, Index j, Index k) {
 AdaptResult run(const Mesh& mesh, const MetricFunction& field, Surface surface = Surface::adapt) {
   AdaptOptions options;
   options.surface = surface;
-  options.passes = 6;
+  options.max_rounds = 6;
   return adapt(mesh, field, options);
 }
 

@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(All, Runs,
 TEST_P(Runs, KeepWhatTheyMust) {
   AdaptOptions options;
   options.surface = surface;
-  options.passes = 6;
+  options.max_rounds = 6;
   const Metric metric =
       surface == Surface::adapt ? Metric(field.metric) : Metric(test::sampled(domain.mesh, field.metric));
   const AdaptResult result = adapt(domain.mesh, metric, options);

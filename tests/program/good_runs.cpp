@@ -91,6 +91,15 @@ TEST_F(GoodRun, HistogramsCountEverything) {
   EXPECT_EQ(sum(measured["Q_histogram"]), measured["tetrahedra"]);
 }
 
+TEST_F(GoodRun, RoundsAreAtMostThoseAskedFor) {
+  for (const char* option : {"--rounds", "--passes"}) {
+    expect_done({"adapt", "cube.mesh", "--size", "0.1", "-o", "out.mesh", "--report", "out.json", option, "2"});
+    const json report = json::parse(read("out.json"));
+    EXPECT_EQ(report["rounds"], 2) << option;
+    EXPECT_EQ(report["options"]["rounds"], 2) << option;
+  }
+}
+
 TEST_F(GoodRun, FixedSurfaceKeepsTheTriangles) {
   expect_done({"adapt", "cube.mesh", "--size", "0.2", "--surface", "fixed", "-o", "out.mesh"});
   EXPECT_EQ(read_mesh("out.mesh").triangles.size(), 48U);

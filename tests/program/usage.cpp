@@ -42,7 +42,7 @@ TEST_F(Usage, ValuesOutOfRange) {
       {"--size", "0", "above 0"},          {"--size", "-1", "above 0"},     {"--size", "nan", "above 0"},
       {"--size", "1x", "above 0"},         {"--hmin", "-1", "above 0"},     {"--hmax", "0", "above 0"},
       {"--gradation", "1", "above 1"},     {"--gradation", "on", "or off"}, {"--angle", "0", "between 0 and 180"},
-      {"--angle", "180", "between 0 and"}, {"--passes", "-1", "0 or more"}, {"--passes", "1.5", "whole"},
+      {"--angle", "180", "between 0 and"}, {"--rounds", "-1", "0 or more"}, {"--rounds", "1.5", "whole"},
       {"--threads", "-1", "0 to 1024"},    {"--threads", "1025", "0 to"},   {"--block-size", "1.5", "whole"},
       {"--surface", "keep", "fixed"},
   };
