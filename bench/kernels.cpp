@@ -136,7 +136,7 @@ void insertions(benchmark::State& state) {
 BENCHMARK(insertions)->UseManualTime()->Unit(benchmark::kMillisecond);
 
 void swaps(benchmark::State& state) {
-  measure_pass(state, 4, [](Kernel& kernel, Tally& tally) { swap_pass(kernel, {}, tally, tally); });
+  measure_pass(state, 4, [](Kernel& kernel, Tally& tally) { swap_pass(kernel, {}, tally); });
 }
 BENCHMARK(swaps)->UseManualTime()->Unit(benchmark::kMillisecond);
 

@@ -85,7 +85,7 @@ void BlockPasses::collapse(const CollapseRules& rules) {
 }
 
 void BlockPasses::swap(const SwapRules& rules) {
-  run(&Tallies::edge_swap, [&](Kernel& k, Tallies& t, std::size_t) { swap_pass(k, rules, t.edge_swap, t.face_swap); });
+  run(&Tallies::swap, [&](Kernel& k, Tallies& t, std::size_t) { swap_pass(k, rules, t.swap); });
 }
 
 void BlockPasses::repair(const RepairRules& rules) {

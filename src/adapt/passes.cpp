@@ -148,16 +148,15 @@ void collapse_pass(Kernel& kernel, const CollapseRules& rules, Tally& tally) {
   });
 }
 
-void swap_pass(Kernel& kernel, const SwapRules& rules, Tally& edges, Tally& faces) {
+void swap_pass(Kernel& kernel, const SwapRules& rules, Tally& tally) {
   const auto is_due = [&](const Tet& tet) { return tet.state.quality <= rules.good_enough; };
-  for_each_due_tet(kernel, edges, is_due, [&](TetId t) {
+  for_each_due_tet(kernel, tally, is_due, [&](TetId t) {
     const Tet& tet = kernel.mesh.tets[t];
     for (int e = 0; e < 6; ++e)
-      if (!tet.state.tried.has(Trial::edge_swap, e) && edges.record(swap_edge(kernel, t, e, rules))) return;
+      if (!tet.state.tried.has(Trial::edge_swap, e) && tally.record(swap_edge(kernel, t, e, rules))) return;
     if (tet.state.quality > rules.poor) return;
-    faces.scan();
     for (int f = 0; f < 4; ++f)
-      if (!tet.state.tried.has(Trial::face_swap, f) && faces.record(swap_face(kernel, t, f, rules))) return;
+      if (!tet.state.tried.has(Trial::face_swap, f) && tally.record(swap_face(kernel, t, f, rules))) return;
   });
 }
 

@@ -30,7 +30,7 @@ void split_stuck(Kernel& kernel, const InsertionRules& rules, std::span<const Te
 void collapse_pass(Kernel& kernel, const CollapseRules& rules, Tally& tally);
 
 /// Swaps edges and faces of the tetrahedra whose 1/Q is not above rules.good_enough.
-void swap_pass(Kernel& kernel, const SwapRules& rules, Tally& edges, Tally& faces);
+void swap_pass(Kernel& kernel, const SwapRules& rules, Tally& tally);
 
 /// Mends the few tetrahedra that the other passes leave bad.
 void repair_pass(Kernel& kernel, const RepairRules& rules, Tally& tally);

@@ -63,7 +63,7 @@ private:
     const double changed = static_cast<double>(done.changed() - before.changed()) / tets;
     const bool grows = changed > growing;
     const SwapRules swap{.good_enough = grows ? swapped_while_growing : swapped_at_rest};
-    if (chosen.swap && (grows || round_ % 2 == 0)) pass(done.edge_swap, [&] { passes_.swap(swap); });
+    if (chosen.swap && (grows || round_ % 2 == 0)) pass(done.swap, [&] { passes_.swap(swap); });
     if (chosen.repair && !grows) pass(done.repair, [&] { passes_.repair(repair_rules()); });
     if (chosen.relocation) pass(done.relocation, [&] { passes_.relocate({}); });
     passes_.close();

@@ -50,19 +50,15 @@ private:
 
 /// Of all passes.
 struct Tallies {
-  Tally insertion{"insert"}, collapse{"collapse"}, edge_swap{"swap"}, face_swap{"swap faces"}, relocation{"relocate"},
-      repair{"repair"};
+  Tally insertion{"insert"}, collapse{"collapse"}, swap{"swap"}, relocation{"relocate"}, repair{"repair"};
   double efficiency_gain = 0;  ///< see Kernel
 
-  [[nodiscard]] std::array<const Tally*, 6> all() const {
-    return {&insertion, &collapse, &edge_swap, &face_swap, &relocation, &repair};
-  }
+  [[nodiscard]] std::array<const Tally*, 5> all() const { return {&insertion, &collapse, &swap, &relocation, &repair}; }
   [[nodiscard]] std::size_t changed() const { return insertion.accepted() + collapse.accepted(); }
   Tallies& operator+=(const Tallies& other) {
     insertion += other.insertion;
     collapse += other.collapse;
-    edge_swap += other.edge_swap;
-    face_swap += other.face_swap;
+    swap += other.swap;
     relocation += other.relocation;
     repair += other.repair;
     efficiency_gain += other.efficiency_gain;

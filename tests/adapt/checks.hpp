@@ -121,7 +121,11 @@ inline void expect_report_consistent(const AdaptResult& result) {
   EXPECT_EQ(report.quality.vertices, result.mesh.points.size());
   EXPECT_EQ(report.quality.tetrahedra, result.mesh.tetrahedra.size());
   EXPECT_EQ(report.quality.triangles, result.mesh.triangles.size());
-  EXPECT_FALSE(report.passes.empty());
+  std::vector<std::string> passes, phases;
+  for (const PassReport& pass : report.passes) passes.push_back(pass.name);
+  for (const auto& [phase, seconds] : report.seconds) phases.push_back(phase);
+  EXPECT_EQ(passes, (std::vector<std::string>{"insert", "collapse", "swap", "relocate", "repair"}));
+  EXPECT_EQ(phases, (std::vector<std::string>{"build", "geometry", "metric", "cut", "order", "result"}));
   for (const PassReport& pass : report.passes) {
     std::size_t outcomes = pass.accepted;
     for (const auto& [reason, count] : pass.refused) outcomes += count;
