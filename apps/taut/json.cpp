@@ -18,8 +18,7 @@ Json null_if_none(const std::optional<double>& number) {
 Json histogram(std::span<const double> bounds, std::span<const std::size_t> counts) {
   Json bins = Json::array();
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    const double to = bounds[i + 1];
-    bins.push_back({{"from", bounds[i]}, {"to", to < 1e300 ? Json(to) : Json()}, {"count", counts[i]}});
+    bins.push_back({{"from", bounds[i]}, {"to", bounds[i + 1]}, {"count", counts[i]}});
   }
   return bins;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 #include <span>
@@ -27,7 +28,7 @@ private:
 };
 
 std::string interval(double from, double to) {
-  return to < 1e300 ? fmt::format("{:.3g} to {:.3g}", from, to) : fmt::format("{:.3g} or more", from);
+  return std::isinf(to) ? fmt::format("above {:.3g}", from) : fmt::format("{:.3g} to {:.3g}", from, to);
 }
 
 void add_histogram(Table& table, std::string_view title, std::span<const double> bounds,

@@ -89,6 +89,8 @@ TEST_F(GoodRun, HistogramsCountEverything) {
   };
   EXPECT_EQ(sum(measured["length_histogram"]), measured["edges"]);
   EXPECT_EQ(sum(measured["Q_histogram"]), measured["tetrahedra"]);
+  for (const char* open : {"length_histogram", "Q_histogram"}) EXPECT_TRUE(measured[open].back()["to"].is_null());
+  EXPECT_TRUE(contains(expect_done({"quality", "cube.mesh", "--metric", "m.sol"}).out, "  above 5 "));
 }
 
 TEST_F(GoodRun, RoundsAreAtMostThoseAskedFor) {
