@@ -1,4 +1,4 @@
-// The door: a mesh and a metric in, a mesh that is unit in the metric out.
+// The adaptation: takes a mesh and a metric, returns a mesh whose edges have about unit length in the metric.
 #pragma once
 
 #include <array>
@@ -17,56 +17,62 @@
 
 namespace taut {
 
-/// One round of the adaptation, as reported to the progress callback after each pass.
+/// What one pass did. A pass applies one kind of operation to the whole mesh; a round is a sequence of passes.
 struct Progress {
-  int round = 0;
-  const char* pass = "";  ///< "insert", "collapse", "swap", "repair", "relocate"
-  std::size_t vertices = 0, tetrahedra = 0;
-  std::size_t accepted = 0;  ///< operations done by this pass
+  int round = 0;                             ///< counted from 0
+  const char* pass = "";                     ///< "insert", "collapse", "swap" (edges and faces), "repair", "relocate"
+  std::size_t vertices = 0, tetrahedra = 0;  ///< of the mesh after the pass
+  std::size_t accepted = 0;                  ///< operations that the pass did
 };
 
-/// Called after each pass; returning false ends the adaptation with the mesh as it is then, which is valid.
+/// Called after each pass. If it returns false, the adaptation ends and returns the mesh as it is then, which is valid.
 using ProgressCallback = std::function<bool(const Progress&)>;
 
 struct AdaptOptions {
   Surface surface = Surface::adapt;
-  double hmin = 0;                                        ///< no wanted size below it
-  double hmax = std::numeric_limits<double>::infinity();  ///< no wanted size above it
-  std::optional<double> gradation{};  ///< sizes grow by at most this factor (> 1) per unit length; none: as given
-  double ridge_angle = 45;            ///< degrees between the normals of two triangles from which their edge is a ridge
-  int max_rounds = 40;  ///< fewer are done if two in a row gain less than they cost
+  double hmin = 0;                                        ///< smallest size: smaller ones in the metric become hmin
+  double hmax = std::numeric_limits<double>::infinity();  ///< largest size: larger ones in the metric become hmax
+  /// Largest factor (> 1) by which sizes may grow per unit length; none: no limit. Gradation samples a metric function
+  /// at the input's vertices only: the target is then the field on the input mesh, no longer the function.
+  std::optional<double> gradation{};
+  double ridge_angle = 45;  ///< degrees; an edge is a ridge if the normals of its two triangles differ by this or more
+  int max_rounds = 40;      ///< the adaptation ends earlier once a round gains less than it costs
   ProgressCallback progress{};
-  /// At most; 0: those of the caller's oneTBB task arena, by default one a core. The result is the same.
+  /// Largest number of threads; 0: as many as the caller's oneTBB task arena has, by default one per core. The result
+  /// does not depend on it.
   int threads = 0;
-  /// Vertices of a block, the share of the mesh that one thread works on at a time; 0: the whole mesh. Unlike the
-  /// number of threads it changes the result, though hardly its quality.
+  /// Vertices per block, the part of the mesh that one thread works on at a time; 0: the whole mesh is one block. The
+  /// result depends on it, but its quality hardly does.
   std::size_t block_size = 8192;
 };
 
-/// Operations of one kind over the whole run: how many were looked at, and what became of them.
+/// All passes of one kind: how many operations were tried, and what became of them.
 struct PassReport {
-  std::string name;
-  std::size_t scanned = 0;                                   ///< tetrahedra of blocks, or vertices, looked at
-  std::size_t tried = 0;                                     ///< operations proposed and judged
+  std::string name;                                          ///< as in Progress::pass
+  std::size_t scanned = 0;                                   ///< vertices (relocate) or tetrahedra examined
+  std::size_t tried = 0;                                     ///< operations proposed: accepted or refused
   std::size_t accepted = 0;                                  ///< operations done
-  std::vector<std::pair<std::string, std::size_t>> refused;  ///< count by reason
-  std::size_t put_off = 0;  ///< not tried in this round: what reaches beyond one block, or found no id left
-  double seconds = 0;       ///< from the pass's beginnings to its ends
-  double busy_seconds = 0;  ///< of all threads together: `threads` times `seconds` if none ever waits for another
+  std::vector<std::pair<std::string, std::size_t>> refused;  ///< number of operations by reason of refusal
+  std::size_t put_off = 0;  ///< left to a later round, because they reach beyond a block or its ids ran out
+  double seconds = 0;       ///< elapsed time
+  double busy_seconds = 0;  ///< working time summed over the threads: `threads` times `seconds` if none ever waits
 };
 
 struct Report {
   std::size_t rounds = 0;
-  int threads = 1;         ///< that could be had
-  std::size_t blocks = 0;  ///< in the last round
-  bool cancelled = false;
+  int threads = 1;         ///< number of threads that the run could use
+  std::size_t blocks = 0;  ///< number of blocks in the last round
+  bool cancelled = false;  ///< the progress callback returned false
   std::vector<PassReport> passes;
-  std::vector<std::pair<std::string, double>> seconds;  ///< phases outside the passes: setup, gradation, order, ...
-  std::size_t reoriented = 0;                           ///< inverted tetrahedra of the input that were turned round
-  std::size_t triangles_built = 0;                      ///< boundary and interface triangles missing from the input
-  std::size_t triangles_frozen = 0;                     ///< triangles on patches that are not planar, kept as they are
-  std::uint64_t hash = 0;                               ///< of the final mesh: equal hashes, equal bits
-  Quality quality;                                      ///< of the result in the metric it was adapted to
+  /// Elapsed time by phase, in this order, outside the passes: "build" (checks, adjacency, first ordering), "geometry"
+  /// (patches, ridges, corners), "metric" (evaluation, hmin and hmax, gradation), "cut" (into blocks, in all rounds),
+  /// "order" (renumbering between rounds and at the end), "result" (arrays, hash and quality).
+  std::vector<std::pair<std::string, double>> seconds;
+  std::size_t reoriented = 0;        ///< inverted tetrahedra of the input that were reoriented
+  std::size_t triangles_built = 0;   ///< boundary and interface triangles that were missing from the input
+  std::size_t triangles_frozen = 0;  ///< triangles kept as they are: not planar, required, or all if Surface::fixed
+  std::uint64_t hash = 0;            ///< of points, tetrahedra and triangles of the result; equal hashes, equal bits
+  Quality quality;                   ///< of the result in `AdaptResult::metric`
 };
 
 /// Where a point of the result lies in the input.
@@ -84,8 +90,10 @@ struct AdaptResult {
   Report report;
 };
 
-/// Adapts `mesh` to `metric` (Dobrzynski and Frey 2008, sections 3 and 4; the metric is interpolated on the input mesh,
-/// log-Euclidean, or called). Throws InputError if the mesh, the metric or the options cannot be used.
+/// Adapts `mesh` to `metric` (Dobrzynski and Frey 2008, sections 3 and 4). Sizes and tensors are interpolated on the
+/// input mesh, log-Euclidean; a function is called at each new place of a vertex, unless gradation is asked for. Throws
+/// InputError if the mesh, the metric or the options cannot be used, Failure if the result needs more than 32-bit ids.
+/// An exception thrown by the function or the callback reaches the caller.
 [[nodiscard]] AdaptResult adapt(const Mesh& mesh, const Metric& metric, const AdaptOptions& options = {});
 
 }  // namespace taut

@@ -10,8 +10,8 @@
 
 namespace taut {
 
-/// One solution field at the vertices of a mesh. `values` holds `size()` numbers a vertex, in the order of the file for
-/// vectors, in the order of taut::Tensor for tensors.
+/// One solution field at the vertices of a mesh. `values` holds `size()` numbers per vertex: vectors in the order of
+/// the file, tensors in the order of taut::Tensor.
 struct Field {
   enum class Kind { scalar = 1, vector = 2, tensor = 3 };
   Kind kind = Kind::scalar;
@@ -20,24 +20,25 @@ struct Field {
   [[nodiscard]] std::size_t size() const { return kind == Kind::scalar ? 1 : kind == Kind::vector ? 3 : 6; }
 };
 
-/// Reads a tetrahedral mesh. Unknown keywords are passed over. Indices are checked to lie in range.
-/// Throws InputError naming the file and the keyword, line or index.
+/// Reads a tetrahedral mesh. Unknown keywords are skipped. Throws InputError, which names the file and the keyword,
+/// line or index, if the file cannot be read or an index is out of range.
 [[nodiscard]] Mesh read_mesh(const std::filesystem::path& path);
 
-/// Reads the fields of the keyword SolAtVertices. Throws InputError.
+/// Reads all fields of the keyword SolAtVertices. Throws InputError.
 [[nodiscard]] std::vector<Field> read_solution(const std::filesystem::path& path);
 
 /// Reads a solution file as a metric: one scalar field (sizes) or one tensor field. Throws InputError.
 [[nodiscard]] Metric read_metric(const std::filesystem::path& path);
 
-/// Writes to a temporary file beside `path`, then renames it. The format follows the extension (.mesh or .meshb);
-/// the binary version is 2, or 3 where the file passes 2 GiB. Throws Failure; no partial file stays.
+/// Writes to a temporary file beside `path`, then renames it. The extension decides the format (.mesh or .meshb);
+/// binary files have version 2, or 3 if they exceed 2 GiB. Throws Failure, and leaves no partial file, if it cannot be
+/// written; InputError if the arrays do not fit each other.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh);
 
-/// Likewise for .sol and .solb. All fields must have the same number of vertices.
+/// The same for .sol and .solb. All fields must have the same number of vertices.
 void write_solution(const std::filesystem::path& path, const std::vector<Field>& fields);
 
-/// Throws Failure if a file cannot be created at `path`. Leaves nothing behind, touches no existing file.
+/// Throws Failure if a file cannot be created at `path`. Leaves nothing behind and changes no existing file.
 void require_writable(const std::filesystem::path& path);
 
 }  // namespace taut

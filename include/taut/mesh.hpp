@@ -1,4 +1,4 @@
-// The mesh as users hold it: plain arrays, zero-based, nothing derived.
+// The mesh as users hold it: plain arrays with zero-based indices and nothing derived.
 #pragma once
 
 #include <array>
@@ -12,9 +12,9 @@ using Point = std::array<double, 3>;
 
 /// A tetrahedral mesh with its marked lower-dimensional entities.
 ///
-/// Every `*_refs` array is either empty (all references 0) or as long as the array it belongs to. A tetrahedron is
-/// positively oriented when det(p1-p0, p2-p0, p3-p0) > 0. Boundary triangles are oriented outward where they have one
-/// tetrahedron; a triangle between two regions may have either orientation.
+/// Every `*_refs` array is either empty (all references are 0) or as long as the array it belongs to. A tetrahedron is
+/// positively oriented if det(p1-p0, p2-p0, p3-p0) > 0. Triangles on the boundary are oriented outward; triangles
+/// between two regions may have either orientation.
 struct Mesh {
   std::vector<Point> points;  ///< coordinates
   std::vector<int> point_refs;
@@ -28,12 +28,12 @@ struct Mesh {
   std::vector<std::array<Index, 2>> edges;  ///< feature lines
   std::vector<int> edge_refs;
 
-  std::vector<Index> corners;              ///< points that stay where they are
-  std::vector<Index> required_points;      ///< points that must survive
-  std::vector<Index> ridges;               ///< indices into `edges`: sharp ones
-  std::vector<Index> required_edges;       ///< indices into `edges` that must survive as they are
-  std::vector<Index> required_triangles;   ///< indices into `triangles` that must survive as they are
-  std::vector<Index> required_tetrahedra;  ///< indices into `tetrahedra` that must survive as they are
+  std::vector<Index> corners;              ///< points that may not move
+  std::vector<Index> required_points;      ///< points that must be kept
+  std::vector<Index> ridges;               ///< indices into `edges`: the sharp ones
+  std::vector<Index> required_edges;       ///< indices into `edges` that must be kept as they are
+  std::vector<Index> required_triangles;   ///< indices into `triangles` that must be kept as they are
+  std::vector<Index> required_tetrahedra;  ///< indices into `tetrahedra` that must be kept as they are
 };
 
 }  // namespace taut

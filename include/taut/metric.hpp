@@ -12,14 +12,15 @@ namespace taut {
 
 /// A symmetric tensor, entries in the order xx, xy, xz, yy, yz, zz (GMF files hold xx, xy, yy, xz, yz, zz).
 ///
-/// As a metric its eigenvalues are 1/h^2, h the wanted edge size along the eigenvector (Dobrzynski and Frey 2008, 2.2).
+/// The eigenvalues of a metric are 1/h^2, where h is the wanted edge size along the eigenvector (Dobrzynski and Frey
+/// 2008, 2.2).
 using Tensor = std::array<double, 6>;
 
 using Sizes = std::vector<double>;    ///< wanted isotropic edge size at each point of a mesh
 using Tensors = std::vector<Tensor>;  ///< metric tensor at each point of a mesh
 
 /// The metric tensor at a point. It is called from several threads at once, in any order and more than once for the
-/// same point: it must not change anything that another call reads, and the same point must give the same tensor.
+/// same point. It must return the same tensor for the same point, and must not change anything that another call reads.
 using MetricFunction = std::function<Tensor(const Point&)>;
 
 /// The target of an adaptation.

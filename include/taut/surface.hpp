@@ -5,8 +5,8 @@ namespace taut {
 
 /// What may change on the boundary and on the faces between regions.
 enum class Surface {
-  adapt,  ///< planar patches are remeshed; patches that are not planar stay as they are
-  fixed,  ///< every triangle of the input stays as it is
+  adapt,  ///< planar patches are remeshed; patches that are not planar are kept as they are
+  fixed,  ///< every triangle of the input is kept as it is
 };
 
 }  // namespace taut
