@@ -21,7 +21,7 @@ VertexId vertex_of(const Mesh& input, const Built& built, std::size_t edge, int 
   const VertexId v = built.vertex_of_point[e[k]];
   if (v == none)
     throw InputError(
-        fmt::format("edge {} ({} {}): vertex {} is of no tetrahedron", edge + 1, e[0] + 1, e[1] + 1, e[k] + 1));
+        fmt::format("edge {} ({} {}): vertex {} belongs to no tetrahedron", edge + 1, e[0] + 1, e[1] + 1, e[k] + 1));
   return v;
 }
 

@@ -27,7 +27,7 @@ void freeze_shell(TetMesh& mesh, const std::array<VertexId, 2>& edge, std::vecto
     mesh.region_of_tet[t] = frozen_twin(regions, mesh.region_of_tet[t]);
   }
   if (!found)
-    throw InputError(fmt::format("edge ({} {}) is no edge of a tetrahedron", mesh.origin_of_vertex[edge[0]] + 1,
+    throw InputError(fmt::format("edge ({} {}) is not an edge of any tetrahedron", mesh.origin_of_vertex[edge[0]] + 1,
                                  mesh.origin_of_vertex[edge[1]] + 1));
 }
 

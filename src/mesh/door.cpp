@@ -58,7 +58,7 @@ void require_finite(const std::vector<Point>& points) {
 void require_sound_arrays(const Mesh& m) {
   if (m.tetrahedra.empty()) throw InputError("the mesh has no tetrahedra");
   if (m.points.size() >= std::numeric_limits<Index>::max())
-    throw InputError(fmt::format("{} vertices: beyond 32-bit ids", m.points.size()));
+    throw InputError(fmt::format("{} vertices found, more than 32-bit ids can number", m.points.size()));
   require_length("vertices", m.point_refs.size(), m.points.size());
   require_length("tetrahedra", m.tetrahedron_refs.size(), m.tetrahedra.size());
   require_length("triangles", m.triangle_refs.size(), m.triangles.size());
@@ -77,7 +77,7 @@ void require_sound_arrays(const Mesh& m) {
 
 void require_region_count(std::size_t regions) {
   constexpr std::size_t most = std::numeric_limits<std::uint16_t>::max();
-  if (regions > most) throw InputError(fmt::format("{} regions found, expected {} at most", regions, most));
+  if (regions > most) throw InputError(fmt::format("{} regions found, expected at most {}", regions, most));
 }
 
 void throw_flat(std::size_t tet, const std::array<Index, 4>& v) {
@@ -85,7 +85,7 @@ void throw_flat(std::size_t tet, const std::array<Index, 4>& v) {
 }
 
 void throw_no_face(std::size_t triangle, const std::array<Index, 3>& v) {
-  throw InputError(fmt::format("triangle {} ({}) is no face of a tetrahedron", triangle + 1, listed(v)));
+  throw InputError(fmt::format("triangle {} ({}) is not a face of any tetrahedron", triangle + 1, listed(v)));
 }
 
 void throw_duplicate(std::size_t triangle, std::size_t other) {

@@ -16,7 +16,7 @@ constexpr std::size_t most_vertices = std::size_t{1} << 31;
 
 void require_ids(const char* what, std::size_t count, std::size_t most) {
   if (count >= most)
-    throw Failure(fmt::format("{} {} needed, beyond the 32-bit ids: expected fewer than {}", count, what, most));
+    throw Failure(fmt::format("{} {} needed, expected fewer than {}: 32-bit ids cannot number them", count, what, most));
 }
 
 // Takes `count` ids, free ones first; the others are new, counted from `size`, and need room.

@@ -14,7 +14,7 @@ namespace {
 
 void require_count(std::size_t values, std::size_t points) {
   if (values != points)
-    throw InputError(fmt::format("metric: {} values for {} vertices, expected one at each", values, points));
+    throw InputError(fmt::format("metric: {} values for {} vertices, expected one per vertex", values, points));
 }
 
 [[noreturn]] void throw_no_metric(const std::string& place, const Tensor& m) {
@@ -30,7 +30,7 @@ void require_metric_at(std::size_t vertex, const Tensor& m) {
 Sym3 tensor_of_size(double h, std::size_t vertex) {
   const Sym3 m = metric_of_size(h);
   if (!(h > 0) || !is_positive_definite(m))
-    throw InputError(fmt::format("metric: vertex {}: the size is {}, expected a positive number", vertex + 1, h));
+    throw InputError(fmt::format("metric: vertex {}: size {} found, expected a positive number", vertex + 1, h));
   return m;
 }
 
@@ -48,7 +48,7 @@ std::vector<Sym3> evaluate(const Mesh& mesh, const Tensors& tensors) {
 }
 
 std::vector<Sym3> evaluate(const Mesh& mesh, const MetricFunction& function) {
-  if (!function) throw InputError("metric: an empty function was given");
+  if (!function) throw InputError("metric: empty function found, expected a callable one");
   std::vector<Sym3> tensors(mesh.points.size());
   for_each_index(tensors.size(), [&](std::size_t i) {
     tensors[i] = function(mesh.points[i]);

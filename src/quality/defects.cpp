@@ -67,7 +67,7 @@ void check_ranges(const Mesh& mesh, std::vector<std::string>& found) {
 void check_references(std::string_view what, std::size_t references, std::size_t entities,
                       std::vector<std::string>& found) {
   if (references != 0 && references != entities)
-    found.push_back(fmt::format("references of {}: {} for {}, expected as many or none", what, references, entities));
+    found.push_back(fmt::format("references of {}: {} found, expected {} or none", what, references, entities));
 }
 
 void check_references(const Mesh& mesh, std::vector<std::string>& found) {
@@ -147,10 +147,10 @@ void check_faces(const Mesh& mesh, const Buckets<Face>& triangles, std::vector<s
   const Buckets<Face> faces = faces_of(mesh.tetrahedra, mesh.points.size());
   const auto sum = sum_in_order<FaceDefects>(
       mesh.points.size(), [&](FaceDefects& own, std::size_t v) { own.add(mesh, faces[v], triangles[v]); });
-  report("faces shared by more than two tetrahedra (index of a tetrahedron)", sum.crowded, found);
-  report("boundary faces without triangle (index of the tetrahedron)", sum.bare, found);
-  report("faces between regions without triangle (index of a tetrahedron)", sum.open, found);
-  report("triangles that are no face of a tetrahedron", sum.loose, found);
+  report("faces shared by more than two tetrahedra (numbers of tetrahedra)", sum.crowded, found);
+  report("boundary faces without a triangle (numbers of tetrahedra)", sum.bare, found);
+  report("faces between regions without a triangle (numbers of tetrahedra)", sum.open, found);
+  report("triangles that are not a face of any tetrahedron", sum.loose, found);
 }
 
 /// The later one of two entities with the same vertices counts as the duplicate.
@@ -167,7 +167,7 @@ void check_duplicates(std::string_view what, const Buckets<Named<n>>& entities, 
 void check_unused(const Mesh& mesh, std::vector<std::string>& found) {
   const auto tet_of_point = last_tet_of_points(mesh.tetrahedra, mesh.points.size());
   const auto is_unused = [&](std::size_t p) { return tet_of_point[p] == none; };
-  report("points of no tetrahedron", places_where(mesh.points.size(), is_unused), found);
+  report("points that belong to no tetrahedron", places_where(mesh.points.size(), is_unused), found);
 }
 
 }  // namespace

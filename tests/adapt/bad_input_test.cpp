@@ -43,8 +43,8 @@ TEST(BadInput, Meshes) {
   expect_mesh_refused([](Mesh& m) { m.points[13] = m.points[0]; }, {"tetrahedron", "flat"});
   expect_mesh_refused([](Mesh& m) { m.tetrahedra[3][0] = m.tetrahedra[3][1]; }, {"tetrahedron 4", "repeats vertex"});
   expect_mesh_refused([](Mesh& m) { m.tetrahedra.push_back(m.tetrahedra[9]); }, {"face", "more than two tetrahedra"});
-  expect_mesh_refused([](Mesh& m) { m.triangles[5] = {0, 13, 26}; }, {"triangle 6", "no face"});
-  expect_mesh_refused([](Mesh& m) { m.edges = {{0, 26}, {8, 18}}; }, {"edge", "no edge"});
+  expect_mesh_refused([](Mesh& m) { m.triangles[5] = {0, 13, 26}; }, {"triangle 6", "not a face"});
+  expect_mesh_refused([](Mesh& m) { m.edges = {{0, 26}, {8, 18}}; }, {"edge", "not an edge"});
   expect_mesh_refused([](Mesh& m) { m.required_tetrahedra = {48}; }, {"required tetrahedron 1", "49", "1..48"});
   expect_mesh_refused([](Mesh& m) { m.tetrahedron_refs = {1}; }, {"references", "48"});
 }

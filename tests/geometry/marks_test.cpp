@@ -150,13 +150,13 @@ TEST(Marks, AnEdgeThatIsNotInTheMeshIsRefused) {
     ADD_FAILURE() << "not refused";
   } catch (const InputError& error) {
     const std::string message = error.what();
-    EXPECT_NE(message.find("is no edge of a tetrahedron"), std::string::npos) << message;
+    EXPECT_NE(message.find("is not an edge of any tetrahedron"), std::string::npos) << message;
     EXPECT_NE(message.find("125"), std::string::npos) << message;
   }
   mesh = cube(4);
   mesh.points.push_back({9, 9, 9});
   mesh.edges = {{0, 125}};
-  expect_refused(mesh, "edge 1 (1 126): vertex 126 is of no tetrahedron");
+  expect_refused(mesh, "edge 1 (1 126): vertex 126 belongs to no tetrahedron");
 }
 
 TEST(Marks, RequiredTrianglesAreAFrozenPatch) {

@@ -201,7 +201,11 @@ TEST(Build, RefusesWhatDoesNotFitTogether) {
     EXPECT_TRUE(message.ends_with("is shared by more than two tetrahedra")) << message;
     for (const char digit : {'1', '2', '3'}) EXPECT_NE(message.find(digit), std::string::npos) << message;
   }
-  expect_refused([](Mesh& m) { m.triangles[2] = {0, 13, 26}; }, "triangle 3 (1 14 27) is no face of a tetrahedron");
+  expect_refused(
+      [](Mesh& m) {
+        m.triangles[2] = {0, 13, 26};
+      },
+      "triangle 3 (1 14 27) is not a face of any tetrahedron");
   expect_refused(
       [](Mesh& m) {
         m.points.push_back({7, 7, 7});
@@ -209,7 +213,7 @@ TEST(Build, RefusesWhatDoesNotFitTogether) {
         m.triangles[2][0] = 0;
         m.triangles[2][2] = 1;
       },
-      "triangle 3 (1 28 2) is no face of a tetrahedron");
+      "triangle 3 (1 28 2) is not a face of any tetrahedron");
   expect_refused(
       [](Mesh& m) {
         m.triangles.push_back({m.triangles[5][1], m.triangles[5][0], m.triangles[5][2]});
@@ -285,7 +289,7 @@ TEST(Build, RefusesTheFirstOfSeveralOnAnyNumberOfThreads) {
 TEST(Build, RefusesMoreRegionsThanIdsHold) {
   Mesh mesh = test::grid(23);  // 73,002 tetrahedra
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) mesh.tetrahedron_refs.push_back(static_cast<int>(t));
-  expect_refused(mesh, "73002 regions found, expected 65535 at most");
+  expect_refused(mesh, "73002 regions found, expected at most 65535");
 }
 
 }  // namespace

@@ -115,7 +115,7 @@ TEST(Measure, RefusesTheFirstOfSeveralOnAnyNumberOfThreads) {
   sizes[17000] = sizes[23000] = -1;
   const auto compute = [&] { return measure(mesh, sizes); };
   for (const int threads : {1, 3})
-    EXPECT_EQ(test::refusal(threads, compute), "metric: vertex 17001: the size is -1, expected a positive number");
+    EXPECT_EQ(test::refusal(threads, compute), "metric: vertex 17001: size -1 found, expected a positive number");
   mesh.tetrahedra[20000][3] = mesh.tetrahedra[130000][3] = 99999;
   for (const int threads : {1, 3})
     EXPECT_EQ(test::refusal(threads, compute), "mesh: tetrahedron 20001: vertex 100000 found, expected 1..24389");
