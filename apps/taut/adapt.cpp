@@ -1,4 +1,4 @@
-// taut adapt: a mesh and a metric in, a mesh that is unit in the metric out.
+// taut adapt: reads a mesh and a metric, writes a mesh whose edges have about unit length in the metric.
 #include <fmt/format.h>
 
 #include <memory>
@@ -57,7 +57,7 @@ Field field_of(const Tensors& metric) {
   return field;
 }
 
-// The report comes last, for it holds the seconds of the writing.
+// The report is written last, because it holds the seconds that writing took.
 void write_outputs(const AdaptJob& job, AdaptResult& result) {
   const Stopwatch watch;
   if (!job.metric_out.empty()) write_solution(job.metric_out, {field_of(result.metric)});
@@ -76,11 +76,11 @@ void print_note(const std::string& file, std::size_t count, const char* what) {
 }
 
 void print_notes(const AdaptJob& job, const Report& report) {
-  print_note(job.input, report.reoriented, "inverted tetrahedra reoriented");
-  print_note(job.input, report.triangles_built, "missing triangles of the boundary or between regions built");
+  print_note(job.input, report.reoriented, "inverted tetrahedra were reoriented");
+  print_note(job.input, report.triangles_built, "missing triangles on the boundary or between regions were added");
   if (job.options.surface == Surface::adapt)
     print_note(job.input, report.triangles_frozen,
-               "triangles that may not change, as on curved patches, kept as they are");
+               "triangles were kept as they are, because their patch is not planar or they are required");
 }
 
 void print_summary(const AdaptJob& job, const Report& report, double seconds) {

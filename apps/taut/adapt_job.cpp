@@ -15,25 +15,32 @@ constexpr const char* examples =
 
 void add_files(CLI::App& command, AdaptJob& job) {
   command.add_option("IN", job.input, "mesh to adapt, .mesh or .meshb")->required()->type_name("");
-  command.add_option("-o,--output", job.output, "where the mesh is written; may be IN")->required()->type_name("OUT");
+  command.add_option("-o,--output", job.output, "file for the adapted mesh, .mesh or .meshb; may be IN")
+      ->required()
+      ->type_name("OUT");
   command.add_option("--metric", job.metric, "sizes or tensors at the vertices of IN, .sol or .solb")->type_name("SOL");
-  command.add_option("--metric-out", job.metric_out, "where the metric on the result is written")->type_name("SOL");
-  command.add_option("--report", job.report, "where a report is written, .json")->type_name("FILE");
-  command.add_flag("--quiet", job.quiet, "print nothing but errors");
+  command.add_option("--metric-out", job.metric_out, "file for the metric at the vertices of OUT, .sol or .solb")
+      ->type_name("SOL");
+  command.add_option("--report", job.report, "file for a report, .json")->type_name("FILE");
+  command.add_flag("--quiet", job.quiet, "print only errors");
 }
 
 void add_sizes(CLI::App& command, AdaptJob& job) {
   AdaptOptions& options = job.options;
   const auto set_size = [&job](const std::string& word) { job.size = number_in(word); };
-  command.add_option_function<std::string>("--size", set_size, "one size everywhere, in place of a metric")
+  command.add_option_function<std::string>("--size", set_size, "one size everywhere, instead of a metric")
       ->type_name("H")
       ->check(positive_number());
-  command.add_option("--hmin", options.hmin, "no wanted size below it")->type_name("H")->check(positive_number());
-  command.add_option("--hmax", options.hmax, "no wanted size above it")->type_name("H")->check(positive_number());
+  command.add_option("--hmin", options.hmin, "smallest size; smaller ones become H")
+      ->type_name("H")
+      ->check(positive_number());
+  command.add_option("--hmax", options.hmax, "largest size; larger ones become H")
+      ->type_name("H")
+      ->check(positive_number());
   const auto set_gradation = [&options](const std::string& word) { options.gradation = number_in(word); };
   command
       .add_option_function<std::string>("--gradation", set_gradation,
-                                        "sizes grow by at most this factor per unit length, or off (the default)")
+                                        "largest factor by which sizes may grow per unit length, or off (the default)")
       ->type_name("BETA")
       ->check(word_or("off", number([](double x) { return x > 1 && std::isfinite(x); }, "a number above 1")));
 }
@@ -44,10 +51,12 @@ void add_surface(CLI::App& command, AdaptOptions& options) {
   };
   command
       .add_option_function<std::string>("--surface", set_surface,
-                                        "adapt (the default): planar patches are remeshed; fixed: all triangles stay")
+                                        "adapt (the default): remesh planar patches; fixed: keep all triangles")
       ->type_name("WORD")
       ->check(one_of("adapt", "fixed"));
-  command.add_option("--angle", options.ridge_angle, "degrees between normals from which an edge is a ridge")
+  command
+      .add_option("--angle", options.ridge_angle,
+                  "an edge is a ridge if the normals of its triangles differ by this or more, in degrees")
       ->type_name("DEG")
       ->capture_default_str()
       ->check(number([](double x) { return x > 0 && x < 180; }, "degrees between 0 and 180"));
@@ -57,7 +66,7 @@ void require_one_target(const AdaptJob& job) {
   if (job.metric.empty() && !job.size)
     throw InputError("neither --metric nor --size found, expected one of them; see 'taut adapt --help'");
   if (!job.metric.empty() && job.size)
-    throw InputError("--metric and --size found, expected only one of them; see 'taut adapt --help'");
+    throw InputError("both --metric and --size found, expected only one of them; see 'taut adapt --help'");
 }
 
 }  // namespace
@@ -73,7 +82,9 @@ void add_options(CLI::App& command, AdaptJob& job) {
       ->capture_default_str()
       ->check(count());
   add_threads(command, job.threads);
-  command.add_option("--block-size", job.options.block_size, "vertices that a thread takes on at a time; 0: all")
+  command
+      .add_option("--block-size", job.options.block_size,
+                  "vertices per block, the part that one thread works on at a time; 0: the whole mesh")
       ->type_name("N")
       ->capture_default_str()
       ->check(count());

@@ -12,7 +12,7 @@ namespace taut::program {
 struct AdaptJob {
   std::string input, metric, output;
   std::string report, metric_out;  ///< empty: not written
-  std::optional<double> size;      ///< wanted everywhere, in place of a metric
+  std::optional<double> size;      ///< wanted everywhere, instead of a metric
   bool quiet = false;
   int threads = 0;
   AdaptOptions options;
@@ -21,7 +21,7 @@ struct AdaptJob {
 /// Adds the options to `command`; they fill `job`, which must outlive it.
 void add_options(CLI::App& command, AdaptJob& job);
 
-/// Throws InputError for options that are sound one by one but not together.
+/// Throws InputError for options that are each valid but contradict each other.
 void require_sound(const AdaptJob& job);
 
 }  // namespace taut::program

@@ -38,7 +38,9 @@ CLI::Validator count() {
 
 void add_threads(CLI::App& command, int& threads) {
   const auto fits = [](double x) { return x >= 0 && x <= most_threads && x == std::floor(x); };
-  command.add_option("--threads", threads, "threads at most; 0 (the default): one a core. The result is the same")
+  command
+      .add_option("--threads", threads,
+                  "at most this many threads; 0 (the default): one per core. The result does not depend on it")
       ->type_name("N")
       ->check(number(fits, fmt::format("a whole number, 0 to {}", most_threads)));
 }

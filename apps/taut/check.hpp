@@ -9,7 +9,7 @@
 
 namespace taut::program {
 
-/// The number that `word` is, all of it.
+/// The number that the whole `word` spells, if it is one.
 [[nodiscard]] std::optional<double> number_in(std::string_view word);
 
 /// A number for which fits() holds. `expected` ends the sentence "... found, expected ...".

@@ -14,7 +14,7 @@ namespace taut::program {
 namespace {
 
 std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
-  // A word that nobody knows explains why others seem to be missing, so it is named first.
+  // An unknown word explains why others seem to be missing, so it is named first.
   for (const std::string& word : app.remaining(true)) {
     return fmt::format("unknown {} {}", word.starts_with('-') ? "option" : "word", word);
   }
@@ -50,7 +50,7 @@ void run(int argc, char** argv) {
   app.set_version_flag("--version", "taut " TAUT_VERSION);
   app.require_subcommand(1);
   app.footer(
-      "Exit status: 0 done, 1 could not be done, 2 wrong use or unusable input.\n"
+      "Exit status: 0 success, 1 the work could not be done, 2 wrong usage or unusable input.\n"
       "Files: Gamma Mesh Format, .mesh and .sol (text), .meshb and .solb (binary).");
   Job job;
   add_adapt(app, job);

@@ -3,7 +3,7 @@
 
 namespace taut::program {
 
-/// Parses and does it. Throws InputError for words that make no sense.
+/// Parses the command line and does the work. Throws InputError if the words make no sense.
 void run(int argc, char** argv);
 
 }  // namespace taut::program

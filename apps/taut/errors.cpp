@@ -13,7 +13,7 @@ namespace taut::program {
 namespace {
 
 int report(std::string message, ExitStatus status) {
-  std::replace(message.begin(), message.end(), '\n', ' ');  // scripts count on one line
+  std::replace(message.begin(), message.end(), '\n', ' ');  // scripts rely on one line
   fmt::print(stderr, "taut: error: {}\n", message);
   return status;
 }
@@ -23,7 +23,7 @@ int report(std::string message, ExitStatus status) {
 int exit_status_of(const std::function<void()>& work) {
   try {
     work();
-    // What is still in the buffer would else be lost without a word on a full disk.
+    // On a full disk, what is still in the buffer would otherwise be lost without an error.
     if (std::fflush(stdout) != 0) throw Failure("standard output: cannot be written");
     return done;
   } catch (const InputError& error) {

@@ -21,7 +21,7 @@ void require_extension(const std::string& file, std::span<const std::string_view
       fmt::format("{}: unknown extension \"{}\", expected {}", file, found, fmt::join(extensions, " or ")));
 }
 
-// A failure of the library is a failure of the work; here no work has begun and the name is what is wrong.
+// The library reports a failure of the work. Here no work has begun, and the name is what is wrong.
 void require_place(const std::string& file) {
   try {
     require_writable(file);

@@ -1,4 +1,4 @@
-// The files of a run: who is to blame for an error, and what may be written.
+// The files of a run: which one an error is about, and which ones can be written.
 #pragma once
 
 #include <array>
@@ -14,17 +14,18 @@ inline constexpr std::array<std::string_view, 2> mesh_files = {".mesh", ".meshb"
 inline constexpr std::array<std::string_view, 2> solution_files = {".sol", ".solb"};
 inline constexpr std::array<std::string_view, 1> report_files = {".json"};
 
-/// Throws InputError unless `file` has one of the extensions and can be written. As each kind of output has its own
-/// extensions, no two outputs are one file. An empty name stands for no output.
+/// Throws InputError unless `file` has one of the extensions and can be written. Each kind of output has its own
+/// extensions, so no two outputs can be the same file. An empty name means no output.
 void require_output(const std::string& file, std::span<const std::string_view> extensions);
 
 /// Writes a temporary file beside `file`, then renames it. Throws Failure.
 void write_text(const std::string& file, std::string_view text);
 
-/// The message of the library on a mesh in `mesh` with the metric in `metric`, with the file that it is about in front.
+/// The library's message about a mesh from file `mesh` and a metric from file `metric`, prefixed with the name of the
+/// file that it is about.
 [[nodiscard]] std::string with_file(std::string_view message, std::string_view mesh, std::string_view metric);
 
-/// Calls work(). The library does not know the names of the files that its arrays come from, so they are added here.
+/// Calls work() and adds the names of the files to its errors: the library does not know where its arrays come from.
 template <class Work>
 auto with_files(std::string_view mesh, std::string_view metric, Work work) {
   try {

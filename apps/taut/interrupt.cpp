@@ -5,7 +5,7 @@
 namespace taut::program {
 namespace {
 
-// A signal handler can speak to the program in no other way.
+// A signal handler may change nothing else of the program.
 volatile std::sig_atomic_t interrupted = 0;
 
 extern "C" void note_interrupt(int signal) {
@@ -16,7 +16,7 @@ extern "C" void note_interrupt(int signal) {
 }  // namespace
 
 Interrupt::Interrupt() : previous_(std::signal(SIGINT, note_interrupt)) {
-  if (previous_ == SIG_IGN) std::signal(SIGINT, SIG_IGN);  // a job in the background keeps running
+  if (previous_ == SIG_IGN) std::signal(SIGINT, SIG_IGN);  // a background job keeps running
 }
 
 Interrupt::~Interrupt() {

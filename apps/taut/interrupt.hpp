@@ -1,9 +1,9 @@
-// Ctrl-C as a wish to stop in good order.
+// Ctrl-C as a request to stop cleanly.
 #pragma once
 
 namespace taut::program {
 
-/// While one exists the first SIGINT is only noted; a second one ends the program as it does without.
+/// While an Interrupt exists, the first SIGINT is only recorded; a second one ends the program as usual.
 class Interrupt {
 public:
   Interrupt();

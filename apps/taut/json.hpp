@@ -1,4 +1,4 @@
-// Measures and reports as JSON, for programs. Numbers that are not finite become null.
+// Measures and reports as JSON, for programs. JSON has no infinity: numbers that are not finite become null.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,13 +12,13 @@ namespace taut::program {
 
 using Json = nlohmann::ordered_json;
 
-/// Histograms are lists of {from, to, count}. Without a metric what needs one is left out.
+/// Histograms are lists of {from, to, count}; `to` of the last is null. What needs a metric is left out without one.
 [[nodiscard]] Json json_of(const Quality& quality, bool in_metric);
 
 [[nodiscard]] Json json_of(const Report& report);
 [[nodiscard]] Json json_of(const AdaptJob& job);
 
-/// Indented; bytes of file names that are no UTF-8 are replaced.
+/// Indented; bytes of file names that are not UTF-8 are replaced.
 [[nodiscard]] std::string text_of(const Json& json);
 
 }  // namespace taut::program

@@ -1,11 +1,11 @@
-// What the adaptation is doing, on one line of a terminal that is rewritten.
+// The progress of the adaptation, on one line of the terminal that is rewritten after each pass.
 #pragma once
 
 #include "taut/adapt.hpp"
 
 namespace taut::program {
 
-/// Silent when standard error is no terminal. The line is wiped out at the end.
+/// Prints nothing if standard error is not a terminal. The line is erased at the end.
 class ProgressLine {
 public:
   explicit ProgressLine(bool quiet);

@@ -1,4 +1,4 @@
-// taut quality: how good a mesh is, by itself or in a metric.
+// taut quality: measures a mesh, by itself or in a metric, and checks it.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -35,7 +35,7 @@ struct Findings {
 
 Metric metric_of(const QualityJob& job) {
   if (!job.metric.empty()) return read_metric(job.metric);
-  return [](const Point&) { return Tensor{1, 0, 0, 1, 0, 1}; };  // lengths and shapes as the eye sees them
+  return [](const Point&) { return Tensor{1, 0, 0, 1, 0, 1}; };  // Euclidean lengths and shapes
 }
 
 Findings examine(const QualityJob& job) {
@@ -72,8 +72,9 @@ void add_quality(CLI::App& app, Job& job) {
   CLI::App* command = app.add_subcommand("quality", "measure a mesh and check that it is conforming");
   const auto asked = std::make_shared<QualityJob>();
   command->add_option("IN", asked->input, "mesh to measure, .mesh or .meshb")->required()->type_name("");
-  command->add_option("--metric", asked->metric, "sizes or tensors at its vertices, .sol or .solb")->type_name("SOL");
-  command->add_flag("--json", asked->json, "print JSON in place of the table");
+  command->add_option("--metric", asked->metric, "sizes or tensors at the vertices of IN, .sol or .solb")
+      ->type_name("SOL");
+  command->add_flag("--json", asked->json, "print JSON instead of the table");
   command->add_flag("--check", asked->check, "exit with status 1 if the mesh has any defect");
   add_threads(*command, asked->threads);
   command->footer(examples);

@@ -13,7 +13,7 @@
 namespace taut::program {
 namespace {
 
-/// Text that grows line by line.
+/// Text, built line by line.
 class Table {
 public:
   template <class... T>
@@ -55,8 +55,8 @@ void add_counts(Table& table, const Quality& q) {
 
 void add_lengths(Table& table, const Quality& q) {
   table.line("complexity    {:.6g} (integral of sqrt(det M))", q.complexity);
-  table.line("tau           {:.4f} (efficiency: 1 is perfect, meshes reach about 0.944)", q.tau);
-  table.line("unit edges    {:.2f} % (length within 1/sqrt 2 and sqrt 2 in the metric)", 100 * q.unit_edges);
+  table.line("tau           {:.4f} (efficiency index: 1 is perfect, about 0.944 is reachable)", q.tau);
+  table.line("unit edges    {:.2f} % (length between 1/sqrt 2 and sqrt 2 in the metric)", 100 * q.unit_edges);
   table.line("edge lengths  {:.4g} to {:.4g} in the metric", q.length_min, q.length_max);
 }
 
@@ -64,7 +64,7 @@ void add_shapes(Table& table, const Quality& q) {
   table.line(
       "Q             mean {:.3f}, worst {:.4g}, up to 2: {:.2f} %, up to 3: {:.2f} % (1 is best, larger is worse)",
       q.Q_mean, q.Q_max, 100 * q.Q_up_to_2, 100 * q.Q_up_to_3);
-  table.line("mean ratio    mean {:.3f}, least {:.4g} (in (0, 1], larger is better)", q.mean_ratio_mean,
+  table.line("mean ratio    mean {:.3f}, worst {:.4g} (1 is best, smaller is worse)", q.mean_ratio_mean,
              q.mean_ratio_min);
 }
 
@@ -95,7 +95,7 @@ std::string quality_table(const Quality& quality, bool in_metric) {
 
 std::string work_table(const Report& report) {
   Table table;
-  table.line("{:<14}{:>10}{:>10}{:>10}{:>10}{:>9}  {}", "pass", "looked at", "tried", "accepted", "put off", "seconds",
+  table.line("{:<14}{:>10}{:>10}{:>10}{:>10}{:>9}  {}", "pass", "scanned", "tried", "accepted", "put off", "seconds",
              "refused");
   for (const PassReport& pass : report.passes) {
     table.line("{:<14}{:>10}{:>10}{:>10}{:>10}{:>9.3f}  {}", pass.name, pass.scanned, pass.tried, pass.accepted,
