@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Whole runs at several sizes, and mmg3d_O3 beside them when it is on PATH.
+"""Whole runs at several sizes, and the same with mmg3d_O3 if it is on PATH.
 
-Each run starts from a grid of a cube and adapts it ADAPTATIONS times to an analytic metric evaluated anew on each mesh. Seconds
-are those of all adaptations, files included; the rate is tetrahedra of the last mesh per second of one adaptation.
+Each run starts from a grid of a cube and adapts it ADAPTATIONS times to an analytic metric, which is evaluated anew on each mesh.
+The seconds are those of all adaptations and include the files; the rate is the number of tetrahedra of the last mesh, per second
+of one adaptation.
 """
 import argparse
 import itertools
@@ -70,9 +71,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("taut")
     parser.add_argument("--cases", nargs="+", choices=DOMAINS, default=list(DOMAINS))
-    parser.add_argument("--divisors", nargs="+", type=float, default=DIVISORS, help="of all sizes")
-    parser.add_argument("--grid", type=int, default=10, help="boxes along a side of the start")
-    parser.add_argument("--adaptations", type=int, default=2)
+    parser.add_argument("--divisors", nargs="+", type=float, default=DIVISORS, help="numbers that divide all sizes")
+    parser.add_argument("--grid", type=int, default=10, help="boxes along a side of the first mesh")
+    parser.add_argument("--adaptations", type=int, default=2, help="number of adaptations, one after another")
     options = parser.parse_args()
     print(f"{'case':8}{'sizes /':>8} {'program':8}{'tets':>10}{'tau':>7}{'unit %':>8}{'Q<=3 %':>8}{'worst Q':>9}{'s':>8}"
           f"{'ktets/s':>9}{'peak B/tet':>11}{'time ratio':>11}")

@@ -1,4 +1,4 @@
-// What the inner loops cost, on the meshes and metrics for which they are meant.
+// The cost of the inner loops, on the kind of meshes and metrics for which they are written.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t sample_count = 4096;
 
-// Sizes 10 to 1 across a plane, as at a shock.
+// Sizes of ratio 10 to 1 across a plane, as at a shock.
 Tensor stretched_metric(const Point& p) {
   const double h = 0.1 * std::abs(1 - std::exp(-std::abs(p[0] - 0.5))) + 0.01;
   return {1 / (h * h), 0, 0, 100, 0, 100};
@@ -40,7 +40,7 @@ std::vector<Vertex> random_vertices() {
 
 using Corners = std::array<const Vertex*, 4>;
 
-// Positive tetrahedra of edges near 1, as most are that an operator looks at.
+// Positive tetrahedra with edges of length near 1, like most that an operator visits.
 std::vector<Corners> sample_tets(const TetMesh& mesh) {
   std::vector<Corners> tets;
   for (const Tet& t : std::span(mesh.tets).first(sample_count))
@@ -92,7 +92,7 @@ void delaunay_conflicts(benchmark::State& state) {
 }
 BENCHMARK(delaunay_conflicts);
 
-// The argument is the number of faces: a swap has about 10, the ball of a vertex 24, an insertion 40.
+// The argument is the number of faces: about 10 for a swap, 24 for the ball of a vertex, 40 for an insertion.
 void face_batches(benchmark::State& state) {
   const std::vector<Vertex> vertices = random_vertices();
   FaceBatch batch;
@@ -114,7 +114,7 @@ void report_operations(benchmark::State& state, const Tally& tally) {
   state.SetItemsProcessed(static_cast<std::int64_t>(report.accepted));
 }
 
-// One pass after `rounds` of insertion on a grid; items are accepted operations, refused ones included in their time.
+// One pass after `rounds` insertion passes on a grid. Items are accepted operations; their time includes the refused ones.
 template <class Pass>
 void measure_pass(benchmark::State& state, int rounds, Pass pass) {
   Tally tally("");

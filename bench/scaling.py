@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""How one adaptation gets faster with threads, pass by pass, and what blocks cost.
+"""How much faster one adaptation is on several threads, pass by pass, and what blocks cost.
 
-A planar shock in a cube, all sizes divided by DIVISOR, from a grid, and the result adapted once more to the same metric, evaluated
-anew. Efficiency is the time on one thread over threads times the time; idle is the share of a pass, in the last run, in which
-a thread waited for others. Every mesh must have the hash of the first. Then one thread again, with the mesh as a single block: cost is
-the time with blocks over the time without. Seconds are medians of RUNS runs; "all" is the whole process, files included.
+Adapts a grid of a cube to a planar shock, with all sizes divided by DIVISOR, and then adapts the result twice more to the same
+metric, evaluated anew. Efficiency is the time on one thread, divided by the number of threads and by the time on them. Idle is
+the share of a pass, in the last run, in which threads waited for others. All meshes of a step must have the same hash. Each step
+is then repeated on one thread with the mesh as a single block: cost is the time with blocks, divided by the time without. Seconds
+are medians of RUNS runs; "all" is the whole process and includes the files.
 """
 import argparse
 import collections
@@ -36,7 +37,7 @@ def adapt(taut, mesh, metric, out, threads, *options):
 
 
 def phases(report):
-    """Seconds by phase: each pass, their sum, what lies around them, the whole."""
+    """Seconds by phase: each pass, their sum, each phase outside the passes, and the whole process."""
     seconds = collections.OrderedDict((p["name"], p["seconds"]) for p in report["passes"] if p["seconds"] > 0)
     seconds["passes"] = sum(seconds.values())
     seconds.update((name, report["seconds"][name]) for name in PARALLEL)
@@ -45,7 +46,7 @@ def phases(report):
 
 
 def idle(report):
-    """By pass, the share of the threads' time spent in waiting."""
+    """For each pass, the share of the threads' time that was spent waiting."""
     shares = {}
     for p in report["passes"]:
         if p["seconds"] > 0:
@@ -76,7 +77,7 @@ def print_row(threads, seconds, base, waits):
 
 
 def measure(taut, mesh, metric, out, counts, runs, block_size):
-    """Prints a table for each number of threads; returns the medians on one."""
+    """Prints a table for each number of threads; returns the medians on one thread."""
     base, hashes = None, set()
     size_words = ["--block-size", block_size] if block_size else []
     for threads in counts:
@@ -103,18 +104,18 @@ def print_cost(taut, mesh, metric, out, runs, base):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("taut")
-    parser.add_argument("--divisor", type=float, default=2.75, help="of all sizes; 2.75 gives a million tetrahedra")
-    parser.add_argument("--grid", type=int, default=20, help="boxes along a side of the start")
-    parser.add_argument("--threads", nargs="+", type=int, help="beside 1; by default 2, 4 .. up to the cores")
-    parser.add_argument("--runs", type=int, default=3)
-    parser.add_argument("--block-size", help="default: taut's")
+    parser.add_argument("--divisor", type=float, default=2.75, help="divides all sizes; 2.75 gives a million tetrahedra")
+    parser.add_argument("--grid", type=int, default=20, help="boxes along a side of the first mesh")
+    parser.add_argument("--threads", nargs="+", type=int, help="numbers of threads besides 1; by default 2, 4, ... up to the number of cores")
+    parser.add_argument("--runs", type=int, default=3, help="runs per time")
+    parser.add_argument("--block-size", help="vertices per block; by default that of taut")
     options = parser.parse_args()
     counts = options.threads or [min(2**k, os.cpu_count()) for k in range(os.cpu_count().bit_length() + 1)]
     counts = sorted({1, *counts})
     with tempfile.TemporaryDirectory() as folder:
         mesh, metric, out = (pathlib.Path(folder, name) for name in ("0.meshb", "0.solb", "1.meshb"))
         gmf.write_mesh(mesh, cases.cube(options.grid, *cases.DOMAINS["shock"]))
-        for title in ("from the grid", "from the mesh before", "from that one, converged"):
+        for title in ("from the grid", "from the mesh of step 1", "from the mesh of step 2, converged"):
             print(f"\n== {title}")
             gmf.write_metric(metric, fields.shock(gmf.read_mesh(mesh).points, options.divisor))
             base = measure(options.taut, mesh, metric, out, counts, options.runs, options.block_size)

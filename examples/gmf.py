@@ -14,7 +14,7 @@ def _none(width):
 
 @dataclass
 class Mesh:
-    """Zero-based; references of triangles (patches) and tetrahedra (regions) beside them."""
+    """Zero-based indices; triangle_refs are patches, tetrahedron_refs are regions."""
     points: np.ndarray
     tetrahedra: np.ndarray
     triangles: np.ndarray = _none(3)
@@ -99,7 +99,7 @@ def _int(value):
 
 
 def _write(path, blocks):
-    """Version 2: 32-bit offsets, each keyword followed by the place of the next."""
+    """Version 2: 32-bit offsets; after each keyword, the position of the next one."""
     out = _int(1) + _int(2)
     for keyword, content in [(_DIMENSION, _int(3)), *blocks]:
         out += _int(keyword) + _int(len(out) + 8 + len(content)) + content

@@ -5,12 +5,12 @@ EDGES = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)]
 
 
 def tensors(metric):
-    """Tensors, shape (n, 3, 3), of a metric given as these or as sizes, shape (n,)."""
+    """Tensors, shape (n, 3, 3), of a metric that is given as tensors or as sizes, shape (n,)."""
     return metric if metric.ndim == 3 else np.eye(3) / metric[:, None, None] ** 2
 
 
 def edge_lengths(mesh, metric):
-    """Length of each edge in the metrics of its end points, their logarithmic mean."""
+    """Length of each edge: the logarithmic mean of its lengths in the metrics of its end points."""
     pairs = np.unique(np.sort(np.concatenate([mesh.tetrahedra[:, e] for e in EDGES]), axis=1), axis=0)
     metric = tensors(metric)
     vectors = mesh.points[pairs[:, 1]] - mesh.points[pairs[:, 0]]

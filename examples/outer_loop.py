@@ -4,7 +4,7 @@ import sys
 
 import gmf
 
-# Run in a small process of its own, for a child's peak of memory counts what its parent held.
+# Runs in a small process of its own, because the peak memory of a child includes what its parent held.
 _MEASURE = """
 import resource, subprocess, sys, time
 began = time.monotonic()
@@ -14,14 +14,14 @@ print(status, time.monotonic() - began, 1024 * resource.getrusage(resource.RUSAG
 
 
 def taut_command(taut, *options):
-    """What run() needs to call taut with further options."""
+    """The command for run() that calls taut with these options."""
     return lambda mesh, metric, out: [taut, "adapt", mesh, "--metric", metric, "-o", out, "--quiet", *options]
 
 
 def run(command, start, field, adaptations, out):
-    """Calls the program command(mesh, metric, out) `adaptations` times; leaves the last mesh at `out`, a .meshb.
+    """Calls the program command(mesh, metric, out) `adaptations` times; the last mesh is then in `out`, a .meshb.
 
-    Returns the file of the field on that mesh, the seconds in the program, files included, and its peak of bytes.
+    Returns the file of the metric on that mesh, the seconds in the program, including its files, and its peak memory in bytes.
     """
     metric = out.with_suffix(".metric.solb")
     mesh, seconds, peak = start, 0.0, 0

@@ -23,7 +23,7 @@ plt.rcParams.update({"font.family": "DejaVu Sans", "font.size": 10, "text.color"
 
 @dataclass
 class Plane:
-    """What lies on the side of the normal is taken away."""
+    """A cut: the part of the mesh on the side of the normal is removed."""
     origin: tuple
     normal: tuple
 
@@ -41,7 +41,7 @@ def _crossings(points, heights, above, below):
 
 
 def section(mesh, plane):
-    """Polygons of the tetrahedra cut by the plane, and for each the tetrahedron's index."""
+    """Polygons in which the plane cuts tetrahedra, and the index of the tetrahedron for each."""
     heights = plane.heights(mesh.points)
     above = heights[mesh.tetrahedra] > 0
     cut = np.flatnonzero(above.any(axis=1) & ~above.all(axis=1))
@@ -105,9 +105,9 @@ class Window:
 
 
 def draw_cut(axes, mesh, quality, plane, view, line=0.25, window=None):
-    """The part below the plane: its surface shaded, the section coloured by the quality of its tetrahedra.
+    """Draws the part below the plane: its surface shaded, the section coloured by the quality of its tetrahedra.
 
-    With a window, what lies in it and nothing else.
+    With a window, draws only what lies in it.
     """
     surface, normals = remaining_surface(mesh, plane)
     front = np.flatnonzero(normals @ view.towards > 0)
@@ -116,7 +116,7 @@ def draw_cut(axes, mesh, quality, plane, view, line=0.25, window=None):
     brightness = 0.62 + 0.38 * np.clip(normals[order] @ (light / np.linalg.norm(light)), 0, 1)
     axes.add_collection(PolyCollection(view.flatten([surface[i] for i in order]), linewidths=0.6 * line,
                                        edgecolors="#8d8676", facecolors=brightness[:, None] * SURFACE))
-    # Nothing that remains stands between the viewer and the section.
+    # The section is drawn last: nothing that remains is between the viewer and it.
     polygons, sources = section(mesh, plane)
     axes.add_collection(PolyCollection(view.flatten(polygons), linewidths=line, edgecolors=INK,
                                        facecolors=QUALITY_COLOURS(QUALITY_RANGE(quality[sources]))))
@@ -129,12 +129,12 @@ def draw_cut(axes, mesh, quality, plane, view, line=0.25, window=None):
 
 
 def mark_window(axes, view, window):
-    """Frames what another picture shows enlarged."""
+    """Frames the part that another picture shows enlarged."""
     axes.add_patch(plt.Polygon(view.flatten([window.corners()])[0], fill=False, edgecolor=FRAME, linewidth=1.5, zorder=5))
 
 
 def frame(axes):
-    """The frame of an enlargement, in the colour of its mark."""
+    """Frames an enlargement, in the colour of its mark."""
     axes.add_patch(plt.Rectangle((0, 0), 1, 1, transform=axes.transAxes, fill=False, edgecolor=FRAME, linewidth=2))
 
 

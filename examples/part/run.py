@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Real input: a bearing bracket from CAD, meshed by gmsh, and refined round a ring inside the wall of its boss.
+"""Real input: a bearing bracket from CAD, meshed by gmsh, and refined around a ring inside the wall of its boss.
 
 usage: run.py TAUT FOLDER
 
-The ring stands for what a simulation wants resolved, say the front of a crack round the bore. The surface stays as gmsh
-made it. Leaves the meshes and a picture in FOLDER.
+The ring stands for something that a simulation has to resolve, for example the front of a crack around the bore. The surface stays
+as gmsh made it. Writes the meshes and a picture to FOLDER.
 """
 import pathlib
 import subprocess
@@ -19,7 +19,7 @@ import outer_loop  # noqa: E402
 import picture  # noqa: E402
 
 RING_RADIUS, RING_HEIGHT = 15.0, 20.0  # in the middle of the boss's wall
-ADAPTATIONS = 3  # the first sees the ring only where gmsh happened to put a vertex
+ADAPTATIONS = 3  # the first one sees the ring only where gmsh happened to put a vertex
 FINEST, COARSEST, GROWTH = 0.2, 2.5, 0.45
 
 

@@ -3,8 +3,8 @@
 
 usage: run.py TAUT FOLDER
 
-Adapts start.meshb (adapted on the surface, hardly a vertex inside) five times with the surface fixed, the analytic metric
-evaluated anew on each mesh, and leaves the last mesh and two pictures in FOLDER.
+Adapts start.meshb, which is adapted on the surface and has few vertices inside, five times with the surface fixed. The analytic
+metric is evaluated anew on each mesh. Writes the last mesh and two pictures to FOLDER.
 """
 import json
 import math
@@ -35,7 +35,7 @@ def print_figures(taut, mesh, metric, seconds):
         ("efficiency index tau", "0.87", f"{ours['tau']:.3f}"),
         ("elements with Q in [1, 3]", "99.96 %", percent(ours["Q_up_to_3"])),
         ("largest Q", "", f"{ours['Q_max']:.2f}"),
-        ("edges that are unit", "", percent(ours["unit_edges"])),
+        ("unit edges", "", percent(ours["unit_edges"])),
         ("seconds", "", f"{seconds:.1f}"),
     ]
     print(f"\nExample 5.1, planar shock, surface fixed, {ADAPTATIONS} adaptations")
