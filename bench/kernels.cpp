@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "adapt/passes.hpp"
+#include "adapt/block_passes.hpp"
 #include "adapt/setup.hpp"
 #include "cavity/face_batch.hpp"
 #include "cavity/vertex_batch.hpp"
@@ -106,42 +106,48 @@ void face_batches(benchmark::State& state) {
 }
 BENCHMARK(face_batches)->Arg(10)->Arg(24)->Arg(40);
 
-void report_operations(benchmark::State& state, const Tally& tally) {
-  const PassReport report = tally.report();
-  const auto average = benchmark::Counter::kAvgIterations;
-  state.counters["accepted"] = {static_cast<double>(report.accepted), average};
-  state.counters["tried"] = {static_cast<double>(report.tried), average};
-  state.SetItemsProcessed(static_cast<std::int64_t>(report.accepted));
-}
-
-// One pass after `rounds` insertion passes on a grid. Items are accepted operations; their time includes the refused ones.
-template <class Pass>
-void measure_pass(benchmark::State& state, int rounds, Pass pass) {
-  Tally tally("");
+// One pass after `rounds` insertion passes on a grid of a single block. Items are accepted operations. Their time
+// includes the refused ones, and the cut that insertion repeats when the mesh has grown.
+void measure_pass(benchmark::State& state, int rounds, void (*pass)(BlockPasses&), Tally Tallies::*kind) {
+  std::size_t accepted = 0, tried = 0;
   for (auto _ : state) {
     Problem problem = grid_problem(8);
-    Kernel kernel{problem.mesh, problem.model, *problem.target};
-    Tally before("");
-    for (int i = 0; i < rounds; ++i) insertion_pass(kernel, {}, before);
+    BlockPasses passes(problem, 0);
+    for (int i = 0; i < rounds; ++i) {
+      passes.cut();
+      passes.insert({});
+      passes.close();
+    }
+    passes.cut();
+    const PassReport before = (passes.tallies().*kind).report();
     const Stopwatch watch;
-    pass(kernel, tally);
+    pass(passes);
     state.SetIterationTime(watch.seconds());
+    const PassReport after = (passes.tallies().*kind).report();
+    accepted += after.accepted - before.accepted;
+    tried += after.tried - before.tried;
   }
-  report_operations(state, tally);
+  const auto average = benchmark::Counter::kAvgIterations;
+  state.counters["accepted"] = {static_cast<double>(accepted), average};
+  state.counters["tried"] = {static_cast<double>(tried), average};
+  state.SetItemsProcessed(static_cast<std::int64_t>(accepted));
 }
 
 void insertions(benchmark::State& state) {
-  measure_pass(state, 1, [](Kernel& kernel, Tally& tally) { insertion_pass(kernel, {}, tally); });
+  measure_pass(
+      state, 1, [](BlockPasses& passes) { passes.insert({}); }, &Tallies::insertion);
 }
 BENCHMARK(insertions)->UseManualTime()->Unit(benchmark::kMillisecond);
 
 void swaps(benchmark::State& state) {
-  measure_pass(state, 4, [](Kernel& kernel, Tally& tally) { swap_pass(kernel, {}, tally); });
+  measure_pass(
+      state, 4, [](BlockPasses& passes) { passes.swap({}); }, &Tallies::swap);
 }
 BENCHMARK(swaps)->UseManualTime()->Unit(benchmark::kMillisecond);
 
 void relocations(benchmark::State& state) {
-  measure_pass(state, 4, [](Kernel& kernel, Tally& tally) { relocation_pass(kernel, {}, tally); });
+  measure_pass(
+      state, 4, [](BlockPasses& passes) { passes.relocate({}); }, &Tallies::relocation);
 }
 BENCHMARK(relocations)->UseManualTime()->Unit(benchmark::kMillisecond);
 
