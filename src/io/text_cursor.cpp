@@ -3,9 +3,46 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 
 namespace taut::gmf {
+namespace {
+
+/// A number in the notation of C. Fortran writes 'D' for the exponent of a double, and before three digits of an
+/// exponent no letter at all.
+class PlainNumber {
+public:
+  /// Empty if `token` is longer than any number.
+  explicit PlainNumber(std::string_view token) {
+    if (token.size() > longest) return;
+    for (std::size_t i = 0; i < token.size(); ++i) {
+      if (begins_exponent(token.substr(i))) text_[size_++] = 'e';
+      const bool letter = token[i] == 'D' || token[i] == 'd' || token[i] == 'E';
+      text_[size_++] = letter ? 'e' : token[i];
+    }
+  }
+
+  [[nodiscard]] std::string_view view() const { return {text_.data(), size_}; }
+
+private:
+  /// So few digits cannot make up for an exponent that is too small for a double.
+  static constexpr std::size_t longest = 200;
+
+  /// Whether a sign stands here where a letter ought to stand before it.
+  [[nodiscard]] bool begins_exponent(std::string_view rest) const {
+    // With fewer digits these would be two numbers that a narrow column has joined.
+    constexpr std::size_t fewest_digits = 3;
+    if ((rest.front() != '+' && rest.front() != '-') || rest.size() <= fewest_digits) return false;
+    return size_ != 0 && text_[size_ - 1] != 'e';
+  }
+
+  std::array<char, 2 * longest> text_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace
 
 void TextCursor::finish() {
   at_ = skip_blank(at_, end_);
@@ -14,7 +51,7 @@ void TextCursor::finish() {
 
 std::int64_t TextCursor::unusual_integer() {
   std::int64_t value = 0;
-  if (at_ != end_ && *at_ == '+') {
+  if (at_plus()) {
     ++at_;
     if (taken(value)) return value;
     --at_;
@@ -23,15 +60,12 @@ std::int64_t TextCursor::unusual_integer() {
 }
 
 double TextCursor::unusual_real() {
-  // Fortran writes a leading '+', and 'D' for the exponent of a double.
-  std::string token(at_, token_end(at_, end_));
-  if (token.starts_with('+')) token.erase(0, 1);
-  std::replace_if(
-      token.begin(), token.end(), [](char c) { return c == 'D' || c == 'd' || c == 'E'; }, 'e');
+  const PlainNumber number({at_ + (at_plus() ? 1 : 0), token_end(at_, end_)});
+  const std::string_view text = number.view();
   double value = 0;
-  const auto [stop, error] = std::from_chars(token.data(), token.data() + token.size(), value);
-  const bool whole = !token.empty() && stop == token.data() + token.size();
-  const bool underflow = error == std::errc::result_out_of_range && token.find("e-") != std::string::npos;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = !text.empty() && stop == text.data() + text.size();
+  const bool underflow = error == std::errc::result_out_of_range && text.find("e-") != std::string_view::npos;
   if (!whole || (error != std::errc{} && !underflow)) {
     fail(fmt::format("finite number expected, found {}", quoted_token(at_)));
   }

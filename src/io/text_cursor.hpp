@@ -1,4 +1,12 @@
 // Reading one block of a text file: numbers between blanks, comments from '#' to the end of the line.
+//
+//   integer  = [sign] digits
+//   real     = [sign] (digits ["." [digits]] | "." digits) [exponent]
+//   exponent = ("e" | "E" | "d" | "D") [sign] digits | sign digits, of three digits or more
+//   sign     = "+" | "-"
+//
+// The second exponent and the D are Fortran's. A real too small for a double is 0; one too large is refused, as are the
+// words for infinity and not-a-number, and an integer with a fraction or an exponent.
 #pragma once
 
 #include <charconv>
@@ -69,6 +77,7 @@ private:
     return true;
   }
 
+  [[nodiscard]] bool at_plus() const { return end_ - at_ > 1 && at_[0] == '+' && at_[1] != '-'; }
   std::int64_t unusual_integer();
   double unusual_real();
   [[noreturn]] void fail_short(std::size_t entities) const;
