@@ -30,7 +30,7 @@ class BinaryCursor : public Cursor {
 public:
   using Cursor::Cursor;
 
-  [[nodiscard]] std::size_t count() { return checked_count(header<Int>()); }
+  [[nodiscard]] std::size_t count(std::size_t before) { return checked_count(header<Int>(), before); }
 
   /// Always 32 bits wide: the dimension, and the number and the kinds of fields.
   [[nodiscard]] std::int64_t word() { return header<std::int32_t>(); }

@@ -17,9 +17,9 @@ void Cursor::fail_short(std::size_t entries) const {
   fail(fmt::format("{} entries announced, but only {} bytes follow", entries, left()));
 }
 
-std::size_t Cursor::checked_count(std::int64_t found) const {
-  constexpr std::int64_t most = std::numeric_limits<Index>::max();
-  if (found < 0 || found >= most) fail(fmt::format("{} entries announced, expected 0..{}", found, most - 1));
+std::size_t Cursor::checked_count(std::int64_t found, std::size_t before) const {
+  const std::int64_t most = std::int64_t{std::numeric_limits<Index>::max()} - 1 - static_cast<std::int64_t>(before);
+  if (found < 0 || found > most) fail(fmt::format("{} entries announced, expected 0..{}", found, most));
   return static_cast<std::size_t>(found);
 }
 

@@ -10,7 +10,7 @@
 namespace taut::gmf {
 
 /// Walks through one block. A derived cursor offers
-///   count()         the announced number of entities, not negative, that fits the 32-bit indices of taut
+///   count(before)   the announced number of entities, not negative, that with those before fits taut's 32-bit indices
 ///   word()          a number of the block's header
 ///   expect(n, row)  throws if n such rows cannot be in the block; to be called before memory is taken for them
 ///   integer(), real()
@@ -34,7 +34,7 @@ protected:
   [[nodiscard]] std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
   /// Throws InputError: so many entries cannot be in what is left of the block.
   [[noreturn]] void fail_short(std::size_t entries) const;
-  [[nodiscard]] std::size_t checked_count(std::int64_t found) const;
+  [[nodiscard]] std::size_t checked_count(std::int64_t found, std::size_t before) const;
 
   const GmfFile* file_;
   Code code_;

@@ -53,7 +53,7 @@ std::size_t GmfFile::line_of(std::size_t where) const {
 }
 
 void GmfFile::add(const Block& block) {
-  if (find(block.code) != nullptr) {
+  if (role_of(block.code) == Role::once && find(block.code) != nullptr) {
     fail_at(block.begin, fmt::format("keyword {} found a second time", name_of(block.code)));
   }
   blocks.push_back(block);

@@ -37,8 +37,9 @@ struct GmfFile {
   Bytes bytes;
   int version = 0;
   bool swapped = false;       ///< the byte order is not that of this machine
-  std::vector<Block> blocks;  ///< of known keywords, each at most once, in the order of the file
+  std::vector<Block> blocks;  ///< of known keywords, in the order of the file
 
+  /// The first block of a keyword.
   [[nodiscard]] const Block* find(Code code) const;
   [[nodiscard]] const Block& require(Code code) const;
 
@@ -47,7 +48,7 @@ struct GmfFile {
   [[noreturn]] void fail_at(std::size_t where, std::string_view message) const;
   [[nodiscard]] std::size_t line_of(std::size_t where) const;
 
-  /// Refuses a keyword that comes a second time.
+  /// Refuses a keyword that comes a second time and may not.
   void add(const Block& block);
 };
 

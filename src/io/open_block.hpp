@@ -41,12 +41,12 @@ void read_block(const GmfFile& file, const Block& block, Read&& read) {
       any);
 }
 
-/// Calls read(cursor, i) for each row i below `count`: concurrently, where rows can be found without reading those
-/// before.
+/// Calls read(cursor, i) for the next `count` rows, which are numbered from `first`: concurrently, where rows can be
+/// found without reading those before.
 template <class In, class Read>
-void for_each_row(In& in, std::size_t count, Row row, const Read& read) {
-  const auto read_rows = [&read](In& from, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
+void for_each_row(In& in, std::size_t first, std::size_t count, Row row, const Read& read) {
+  const auto read_rows = [&read, first](In& from, std::size_t begin, std::size_t end) {
+    for (std::size_t i = first + begin; i < first + end; ++i) {
       from.row(i);
       read(from, i);
     }

@@ -27,7 +27,7 @@ std::vector<Field> read_kinds(In& in) {
 template <class In>
 void read_values(In& in, std::size_t count, Row row, std::vector<Field>& fields) {
   for (Field& field : fields) field.values.resize(count * field.size());
-  for_each_row(in, count, row, [&](In& from, std::size_t i) {
+  for_each_row(in, 0, count, row, [&](In& from, std::size_t i) {
     for (Field& field : fields) {
       double* values = &field.values[i * field.size()];
       for (const std::size_t place : places(field)) values[place] = finite(from);
@@ -51,7 +51,7 @@ std::vector<Field> read_fields(const GmfFile& file) {
   require_three_dimensions(file);
   std::vector<Field> fields;
   read_block(file, file.require(Code::solution), [&](auto& in) {
-    const std::size_t count = in.count();
+    const std::size_t count = in.count(0);
     fields = read_kinds(in);
     const Row row{.reals = values_of_a_vertex(fields), .integers = 0};
     in.expect(count, row);

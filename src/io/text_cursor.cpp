@@ -46,7 +46,10 @@ private:
 
 void TextCursor::finish() {
   at_ = skip_blank(at_, end_);
-  if (at_ != end_) fail(fmt::format("next keyword expected, found {}: more values than announced", quoted_token(at_)));
+  if (at_ == end_) return;
+  // gmsh writes the nodes of cubic elements behind those of the linear ones.
+  fail(fmt::format("next keyword expected, found {}: more values than announced, or elements that are not linear",
+                   quoted_token(at_)));
 }
 
 std::int64_t TextCursor::unusual_integer() {

@@ -46,7 +46,7 @@ public:
   using Cursor::Cursor;
   static constexpr bool can_skip = false;
 
-  [[nodiscard]] std::size_t count() { return checked_count(integer()); }
+  [[nodiscard]] std::size_t count(std::size_t before) { return checked_count(integer(), before); }
   [[nodiscard]] std::int64_t word() { return integer(); }
 
   void expect(std::size_t entities, Row row) const {

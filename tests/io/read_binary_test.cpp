@@ -98,9 +98,9 @@ TEST(ReadBinary, NamesTheEntityOfAListedIndexOutOfRange) {
   };
   EXPECT_EQ(with(13), "wing.meshb: Corners 1: vertex 9 found, expected 1..4");
   EXPECT_EQ(with(15), "wing.meshb: RequiredVertices 1: vertex 9 found, expected 1..4");
-  EXPECT_EQ(with(14), "wing.meshb: Ridges 1: edge 9 found, expected 1..0");
-  EXPECT_EQ(with(16), "wing.meshb: RequiredEdges 1: edge 9 found, expected 1..0");
-  EXPECT_EQ(with(17), "wing.meshb: RequiredTriangles 1: triangle 9 found, expected 1..0");
+  EXPECT_EQ(with(14), "wing.meshb: Ridges 1: edge 9 found, but the file has no edge");
+  EXPECT_EQ(with(16), "wing.meshb: RequiredEdges 1: edge 9 found, but the file has no edge");
+  EXPECT_EQ(with(17), "wing.meshb: RequiredTriangles 1: triangle 9 found, but the file has no triangle");
   EXPECT_EQ(with(12), "wing.meshb: RequiredTetrahedra 1: tetrahedron 9 found, expected 1..1");
 }
 
@@ -121,7 +121,7 @@ TEST(ReadBinary, RefusesOtherElementsAndDimensions) {
        {std::pair{7, "Quadrilaterals"}, {9, "Prisms"}, {10, "Hexahedra"}, {49, "Pyramids"}}) {
     const std::string content = with_vertices().block(8, 0).block(code, 1).integers({1, 2, 3, 4, 0, 0, 0, 0, 0}).end();
     EXPECT_EQ(error_of(content),
-              fmt::format("wing.meshb: {}: 1 found, but taut takes tetrahedra in three dimensions only", name));
+              fmt::format("wing.meshb: {}: 1 found, but taut takes tetrahedra, triangles and edges only", name));
   }
   EXPECT_EQ(error_of(GmfBuilder(2).dimension(2).block(4, 0).block(8, 0).end()),
             "wing.meshb: Dimension: 2 found, expected 3: taut takes tetrahedra in three dimensions");

@@ -55,7 +55,7 @@ TEST(ReadText, NamesTheLineAndTheEntityOfAnIndexOutOfRange) {
   EXPECT_EQ(error_of(file("Tetrahedra\n2\n1 2 3 4 0\n1 2 904 4 0\n")),
             "wing.mesh: line 12: Tetrahedra 2: vertex 904 found, expected 1..4");
   EXPECT_EQ(error_of(file("Tetrahedra 0\nRequiredTetrahedra 1 1")),
-            "wing.mesh: line 10: RequiredTetrahedra 1: tetrahedron 1 found, expected 1..0");
+            "wing.mesh: line 10: RequiredTetrahedra 1: tetrahedron 1 found, but the file has no tetrahedron");
 }
 
 TEST(ReadText, NamesTheLineOfWhatIsNoNumber) {
@@ -90,7 +90,8 @@ TEST(ReadText, RefusesTooFewAndTooManyValues) {
   EXPECT_EQ(error_of(file("Tetrahedra 2\n1 2 3 4 500000000\n1")),
             "wing.mesh: line 11: Tetrahedra 2: integer expected, found the end of the file");
   EXPECT_EQ(error_of(file("Tetrahedra\n1\n1 2 3 4 5\n6\nEnd\n")),
-            "wing.mesh: line 12: Tetrahedra 1: next keyword expected, found \"6\": more values than announced");
+            "wing.mesh: line 12: Tetrahedra 1: next keyword expected, found \"6\": more values than announced, or "
+            "elements that are not linear");
 }
 
 TEST(ReadText, RefusesAbsurdCounts) {
@@ -103,7 +104,7 @@ TEST(ReadText, RefusesAbsurdCounts) {
 
 TEST(ReadText, RefusesOtherElementsAndDimensions) {
   EXPECT_EQ(error_of(file("Quadrilaterals 1\n1 2 3 4 0\n")),
-            "wing.mesh: line 9: Quadrilaterals: 1 found, but taut takes tetrahedra in three dimensions only");
+            "wing.mesh: line 9: Quadrilaterals: 1 found, but taut takes tetrahedra, triangles and edges only");
   EXPECT_EQ(error_of("MeshVersionFormatted 2\nDimension\n2\nVertices 0\nTetrahedra 0\n"),
             "wing.mesh: line 3: Dimension: 2 found, expected 3: taut takes tetrahedra in three dimensions");
 }

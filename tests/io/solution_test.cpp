@@ -95,6 +95,12 @@ TEST(Solution, NamesThePlaceOfAnError) {
             "wing.solb: SolAtVertices 2: finite number expected, found infinity or not-a-number");
 }
 
+TEST(Solution, BesideOthersOrTwiceIsRefused) {
+  EXPECT_EQ(text_error("SolAtTetrahedra 1 1 1 0.5\n"), "wing.sol: keyword SolAtVertices expected, not found");
+  EXPECT_EQ(text_error("SolAtVertices 1 1 1 0.5\nSolAtVertices 1 1 1 0.5\n"),
+            "wing.sol: line 4: keyword SolAtVertices found a second time");
+}
+
 TEST(Solution, OfTwoDimensionsIsRefused) {
   EXPECT_EQ(message_of<InputError>([] {
               (void)gmf::read_fields(text_file("MeshVersionFormatted 2\nDimension 2\nSolAtVertices 1\n1 3\n1 0 1\n"));
