@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "io/index.hpp"
+#include "io/signature.hpp"
 #include "taut/error.hpp"
 
 namespace taut::gmf {
@@ -17,8 +18,8 @@ Encoding encoding_of(const std::filesystem::path& path, std::string_view text, s
   const std::string extension = path.extension().string();
   if (extension == text) return Encoding::text;
   if (extension == binary) return Encoding::binary;
-  throw InputError(
-      fmt::format("{}: unknown extension \"{}\", expected {} or {}", path.string(), extension, text, binary));
+  throw InputError(fmt::format("{}: unknown extension \"{}\", expected {} or {}, of the Gamma Mesh Format (Medit)",
+                               path.string(), extension, text, binary));
 }
 
 Bytes copy_of(std::string_view content) {
@@ -48,8 +49,13 @@ void GmfFile::fail_at(std::size_t where, std::string_view message) const {
 }
 
 std::size_t GmfFile::line_of(std::size_t where) const {
-  const char* begin = bytes.data.get();
-  return 1 + static_cast<std::size_t>(std::count(begin, begin + where, '\n'));
+  const std::string_view before(bytes.data.get(), where);
+  std::size_t line = 1;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    // Lines end with "\n", "\r\n" or, from old Macs, "\r".
+    line += before[i] == '\n' || (before[i] == '\r' && before.substr(i + 1, 1) != "\n");
+  }
+  return line;
 }
 
 void GmfFile::add(const Block& block) {
@@ -59,9 +65,10 @@ void GmfFile::add(const Block& block) {
   blocks.push_back(block);
 }
 
-GmfFile parse(std::string name, Encoding encoding, Bytes bytes) {
-  GmfFile file{.name = std::move(name), .encoding = encoding, .bytes = std::move(bytes), .blocks = {}};
-  if (encoding == Encoding::text) {
+GmfFile parse(std::string name, Bytes bytes) {
+  GmfFile file{.name = std::move(name), .bytes = std::move(bytes), .blocks = {}};
+  read_signature(file);
+  if (file.encoding == Encoding::text) {
     index_text(file);
   } else {
     index_binary(file);
@@ -90,8 +97,10 @@ Bytes read_whole(const std::filesystem::path& path) {
 
 }  // namespace
 
-GmfFile open(const std::filesystem::path& path, Encoding encoding) {
-  return parse(path.string(), encoding, read_whole(path));
+GmfFile open(const std::filesystem::path& path, std::string_view text, std::string_view binary) {
+  // A wrong file is named before it is read; in which encoding it is, its content says better than its name.
+  (void)encoding_of(path, text, binary);
+  return parse(path.string(), read_whole(path));
 }
 
 }  // namespace taut::gmf

@@ -14,7 +14,7 @@ namespace taut::gmf {
 
 enum class Encoding { text, binary };
 
-/// Decides by the extension of `path`. Throws InputError naming the two that are known.
+/// That of a file to be written, by the extension of `path`. Throws InputError naming the two that are known.
 [[nodiscard]] Encoding encoding_of(const std::filesystem::path& path, std::string_view text, std::string_view binary);
 
 /// A buffer that is not cleared before it is filled, as std::vector and std::string would do.
@@ -52,10 +52,10 @@ struct GmfFile {
   void add(const Block& block);
 };
 
-/// Finds the keywords. `name` is for messages. Throws InputError.
-[[nodiscard]] GmfFile parse(std::string name, Encoding encoding, Bytes bytes);
+/// Finds the keywords, in text or binary as the first bytes say. `name` is for messages. Throws InputError.
+[[nodiscard]] GmfFile parse(std::string name, Bytes bytes);
 
-/// Reads the whole file at once, then as above.
-[[nodiscard]] GmfFile open(const std::filesystem::path& path, Encoding encoding);
+/// Reads the whole file at once, then as above. Throws InputError if its extension is neither of the two.
+[[nodiscard]] GmfFile open(const std::filesystem::path& path, std::string_view text, std::string_view binary);
 
 }  // namespace taut::gmf

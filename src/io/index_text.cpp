@@ -23,13 +23,17 @@ void for_each_word(const char* begin, const char* end, Visitor visit) {
   }
 }
 
+/// Windows editors put it before UTF-8.
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
 void read_version(GmfFile& file) {
   if (file.blocks.empty() || file.blocks.front().code != Code::version) {
     file.fail("not a Gamma Mesh Format file: it does not begin with MeshVersionFormatted");
   }
   TextCursor in(file, file.blocks.front());
   const std::int64_t version = in.integer();
-  if (version < 1 || version > 4) in.fail(fmt::format("{} found, expected 1..4", version));
+  // bamg writes 0, and that its meshes are plane can be said better.
+  if (version < 0 || version > 4) in.fail(fmt::format("{} found, expected 1..4", version));
   in.finish();
   file.version = static_cast<int>(version);
 }
@@ -40,13 +44,15 @@ void index_text(GmfFile& file) {
   const char* begin = file.bytes.data.get();
   const char* end = begin + file.bytes.size;
   const auto offset = [&](const char* p) { return static_cast<std::size_t>(p - begin); };
+  const bool marked = std::string_view(begin, file.bytes.size).starts_with(byte_order_mark);
   bool open = false;  // the last block lasts until the word now met
-  for_each_word(begin, end, [&](const Keyword* keyword, const char* word, const char* stop) {
-    if (open) file.blocks.back().end = offset(word);
-    open = keyword != nullptr && keyword->code != Code::end;
-    if (open) file.add({keyword->code, offset(stop), file.bytes.size});
-    return keyword == nullptr || open;
-  });
+  for_each_word(begin + (marked ? byte_order_mark.size() : 0), end,
+                [&](const Keyword* keyword, const char* word, const char* stop) {
+                  if (open) file.blocks.back().end = offset(word);
+                  open = keyword != nullptr && keyword->code != Code::end;
+                  if (open) file.add({keyword->code, offset(stop), file.bytes.size});
+                  return keyword == nullptr || open;
+                });
   read_version(file);
 }
 

@@ -113,7 +113,7 @@ Mesh read_mesh(const GmfFile& file) {
 namespace taut {
 
 Mesh read_mesh(const std::filesystem::path& path) {
-  return gmf::read_mesh(gmf::open(path, gmf::encoding_of(path, ".mesh", ".meshb")));
+  return gmf::read_mesh(gmf::open(path, ".mesh", ".meshb"));
 }
 
 }  // namespace taut

@@ -74,7 +74,7 @@ namespace taut {
 namespace {
 
 gmf::GmfFile open_solution(const std::filesystem::path& path) {
-  return gmf::open(path, gmf::encoding_of(path, ".sol", ".solb"));
+  return gmf::open(path, ".sol", ".solb");
 }
 
 }  // namespace

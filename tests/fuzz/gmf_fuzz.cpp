@@ -64,11 +64,8 @@ void run(Call call) {
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   const std::string_view content(reinterpret_cast<const char*>(data), size);
-  // Binary files begin with a 1 in either byte order, text files with a printable character.
-  const bool binary = size > 0 && data[0] <= 1;
   run([&] {
-    const auto encoding = binary ? taut::gmf::Encoding::binary : taut::gmf::Encoding::text;
-    const taut::gmf::GmfFile file = taut::gmf::parse("fuzz", encoding, taut::gmf::copy_of(content));
+    const taut::gmf::GmfFile file = taut::gmf::parse("fuzz", taut::gmf::copy_of(content));
     run([&] { read_as_mesh(file); });
     run([&] { read_as_solution(file); });
   });

@@ -90,22 +90,18 @@ private:
   std::size_t pending_ = 0;  ///< where the position of the next keyword is missing
 };
 
-inline Mesh parse_mesh(gmf::Encoding encoding, const std::string& content) {
-  const bool text = encoding == gmf::Encoding::text;
-  return gmf::read_mesh(gmf::parse(text ? "wing.mesh" : "wing.meshb", encoding, gmf::copy_of(content)));
-}
 inline Mesh text_mesh(const std::string& content) {
-  return parse_mesh(gmf::Encoding::text, content);
+  return gmf::read_mesh(gmf::parse("wing.mesh", gmf::copy_of(content)));
 }
 inline Mesh binary_mesh(const std::string& content) {
-  return parse_mesh(gmf::Encoding::binary, content);
+  return gmf::read_mesh(gmf::parse("wing.meshb", gmf::copy_of(content)));
 }
 
 inline gmf::GmfFile text_file(const std::string& content) {
-  return gmf::parse("wing.sol", gmf::Encoding::text, gmf::copy_of(content));
+  return gmf::parse("wing.sol", gmf::copy_of(content));
 }
 inline gmf::GmfFile binary_file(const std::string& content) {
-  return gmf::parse("wing.solb", gmf::Encoding::binary, gmf::copy_of(content));
+  return gmf::parse("wing.solb", gmf::copy_of(content));
 }
 
 /// The message with which `call` throws an Error; "nothing thrown" if it returns.

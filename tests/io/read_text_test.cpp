@@ -118,8 +118,9 @@ TEST(ReadText, RefusesAKeywordThatComesTwiceOrNot) {
 
 TEST(ReadText, RefusesWhatIsNoGmfFile) {
   const std::string no_gmf = "wing.mesh: not a Gamma Mesh Format file: it does not begin with MeshVersionFormatted";
-  EXPECT_EQ(error_of(""), no_gmf);
-  EXPECT_EQ(error_of("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n"), no_gmf);
+  EXPECT_EQ(error_of(""), "wing.mesh: the file is empty");
+  EXPECT_EQ(error_of("once upon a time"), no_gmf);
+  EXPECT_EQ(error_of("meshversionformatted 2 dimension 3"), no_gmf);
   EXPECT_EQ(error_of("Dimension 3 MeshVersionFormatted 2"), no_gmf);
   EXPECT_EQ(error_of("MeshVersionFormatted 7\n"), "wing.mesh: line 1: MeshVersionFormatted: 7 found, expected 1..4");
   EXPECT_EQ(error_of("MeshVersionFormatted"),
@@ -134,9 +135,9 @@ TEST(ReadFile, RefusesWhatCannotBeOpened) {
   EXPECT_EQ(message_of<InputError>([] { (void)read_mesh("none/such.mesh"); }),
             "none/such.mesh: cannot be read: No such file or directory");
   EXPECT_EQ(message_of<InputError>([] { (void)read_mesh("wing.vtk"); }),
-            "wing.vtk: unknown extension \".vtk\", expected .mesh or .meshb");
+            "wing.vtk: unknown extension \".vtk\", expected .mesh or .meshb, of the Gamma Mesh Format (Medit)");
   EXPECT_EQ(message_of<InputError>([] { (void)read_solution("wing"); }),
-            "wing: unknown extension \"\", expected .sol or .solb");
+            "wing: unknown extension \"\", expected .sol or .solb, of the Gamma Mesh Format (Medit)");
 }
 
 }  // namespace

@@ -65,6 +65,20 @@ TEST(Solution, IsReadFromText) {
   EXPECT_EQ(fields[1].values, (std::vector<double>{1, 2, 4, 3, 5, 6, 11, 12, 13, 22, 23, 33}));
 }
 
+TEST(Solution, MayBeWrittenByFortran) {
+  const std::vector<Field> fields = gmf::read_fields(text_file(
+      std::string(head) + "SolAtVertices\r\n 2\r\n 1 1\r\n  +0.5000000000000000D+00\r\n   .1000000000000000-102\r\n"));
+  EXPECT_EQ(fields[0].values, (std::vector<double>{0.5, 1e-103}));
+}
+
+TEST(Solution, EncodingIsSeenFromTheContent) {
+  const std::filesystem::path data = TAUT_TEST_DATA;
+  const auto metric_in = [&](const char* name) {
+    return std::get<Tensors>(gmf::read_metric(gmf::parse("wing", gmf::copy_of(content_of(data / name)))));
+  };
+  EXPECT_EQ(metric_in("two_tets.sol"), metric_in("two_tets.solb"));
+}
+
 TEST(Solution, IsWrittenInTheOrderOfTheFile) {
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "taut-order.sol";
   write_solution(path, {{.kind = Field::Kind::tensor, .values = {11, 12, 13, 22, 23, 33}}});

@@ -27,7 +27,7 @@ TEST_F(WriteMesh, RoundTripsInVersion3) {
   gmf::AtomicFile file(path);
   gmf::write_binary(file, two_tets(), 3);
   file.commit();
-  EXPECT_EQ(gmf::open(path, gmf::Encoding::binary).version, 3);
+  EXPECT_EQ(gmf::open(path, ".mesh", ".meshb").version, 3);
   expect_equal(read_mesh(path), two_tets());
 }
 
@@ -68,7 +68,8 @@ TEST_F(WriteMesh, ChecksWhatItIsGiven) {
   mesh.point_refs.pop_back();
   EXPECT_EQ(error_of(mesh), "Vertices: 4 references found, expected 0 or 5");
   EXPECT_EQ(message_of<InputError>([&] { write_mesh(directory / "a.vtk", mesh); }),
-            (directory / "a.vtk").string() + ": unknown extension \".vtk\", expected .mesh or .meshb");
+            (directory / "a.vtk").string() +
+                ": unknown extension \".vtk\", expected .mesh or .meshb, of the Gamma Mesh Format (Medit)");
   EXPECT_EQ(files(), 0U);
 }
 
