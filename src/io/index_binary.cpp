@@ -41,10 +41,13 @@ private:
   std::size_t read_keyword(std::size_t position) {
     // Some writers leave out the keyword End.
     if (position == file_.bytes.size) return 0;
-    const std::size_t begin = position + sizeof(std::int32_t) + position_bytes(file_.version);
-    if (begin > file_.bytes.size) file_.fail_at(position, "keyword expected, the file is truncated");
+    const std::size_t behind_code = position + sizeof(std::int32_t);
+    if (behind_code > file_.bytes.size) fail_truncated(position);
     const auto code = value_at<std::int32_t>(position);
+    // Old versions of mmg write no position behind it.
     if (code == static_cast<std::int32_t>(Code::end)) return 0;
+    const std::size_t begin = behind_code + position_bytes(file_.version);
+    if (begin > file_.bytes.size) fail_truncated(position);
     const std::size_t next = next_position(position, begin);
     if (const Keyword* keyword = find_keyword(code)) {
       file_.add({keyword->code, begin, next == 0 ? file_.bytes.size : next});
@@ -61,6 +64,10 @@ private:
       file_.fail_at(position, fmt::format("next keyword at {} found, expected 0 or {}..{}", next, begin, size));
     }
     return static_cast<std::size_t>(next);
+  }
+
+  [[noreturn]] void fail_truncated(std::size_t position) const {
+    file_.fail_at(position, "keyword expected, the file is truncated");
   }
 
   GmfFile& file_;

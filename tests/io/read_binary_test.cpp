@@ -73,6 +73,10 @@ TEST(ReadBinary, PassesOverUnknownKeywordsInAnyOrder) {
 TEST(ReadBinary, NeedsNoEndKeyword) {
   const std::string whole = one_tet(2, std::endian::little);
   EXPECT_EQ(binary_mesh(whole.substr(0, whole.size() - 8)).tetrahedra.size(), 1U);
+  const std::string bare_end = whole.substr(0, whole.size() - 4);
+  EXPECT_EQ(binary_mesh(bare_end).tetrahedra.size(), 1U);
+  EXPECT_NE(error_of(bare_end.substr(0, bare_end.size() - 1)).find("keyword expected, the file is truncated"),
+            std::string::npos);
   const std::string last = with_vertices().block(8, 1).integers({1, 2, 3, 4, 0}).bytes();
   EXPECT_EQ(binary_mesh(last).tetrahedra.size(), 1U);
 }
