@@ -42,6 +42,12 @@ private:
   std::size_t size_ = 0;
 };
 
+/// Old C libraries of Windows write "1.#INF" and the like, which must not pass for a 1 and a comment.
+bool names_no_number(std::string_view rest) {
+  constexpr std::array<std::string_view, 4> words = {"#INF", "#IND", "#QNAN", "#SNAN"};
+  return std::any_of(words.begin(), words.end(), [rest](std::string_view word) { return rest.starts_with(word); });
+}
+
 }  // namespace
 
 void TextCursor::finish() {
@@ -53,13 +59,13 @@ void TextCursor::finish() {
 }
 
 std::int64_t TextCursor::unusual_integer() {
+  const char* token = at_ + (at_plus() ? 1 : 0);
+  const char* token_stop = token_end(token, end_);
   std::int64_t value = 0;
-  if (at_plus()) {
-    ++at_;
-    if (taken(value)) return value;
-    --at_;
-  }
-  fail(fmt::format("integer expected, found {}", quoted_token(at_)));
+  const auto [stop, error] = std::from_chars(token, token_stop, value);
+  if (error != std::errc{} || stop != token_stop) fail(fmt::format("integer expected, found {}", quoted_token(at_)));
+  at_ = stop;
+  return value;
 }
 
 double TextCursor::unusual_real() {
@@ -73,6 +79,7 @@ double TextCursor::unusual_real() {
     fail(fmt::format("finite number expected, found {}", quoted_token(at_)));
   }
   at_ = token_end(at_, end_);
+  if (names_no_number({at_, end_})) fail("finite number expected, found infinity or not-a-number");
   return underflow ? 0 : value;
 }
 

@@ -69,10 +69,11 @@ public:
   void finish();
 
 private:
+  /// Takes what C writes, with a blank behind it. All else is left to the slower functions below.
   template <class T>
   bool taken(T& value) {
     const auto [stop, error] = std::from_chars(at_, end_, value);
-    if (error != std::errc{} || (stop != end_ && !ends_token(*stop))) return false;
+    if (error != std::errc{} || (stop != end_ && !is_blank(*stop))) return false;
     at_ = stop;
     return true;
   }

@@ -116,6 +116,14 @@ TEST(Writers, FortranWhereColumnsWereTooNarrow) {
   EXPECT_NE(error_of(with(plain, "1 0 0 2", "1 0 " + long_one + " 2")).find("line 6"), std::string::npos);
 }
 
+TEST(Writers, OldWindowsWhereThereIsNoNumber) {
+  for (const char* bad : {"1.#INF", "-1.#IND", "1.#QNAN0", "-1.#INF000000000000e+000", "1.#SNAN"}) {
+    EXPECT_EQ(error_of(with(plain, "1 0 0 2", fmt::format("1 0 {} 2", bad))),
+              "wing.mesh: line 6: Vertices 2: finite number expected, found infinity or not-a-number");
+  }
+  expect_plain(with(plain, "1 0 0 2", "1.#one\n+0#nought\n0 2#INF"));
+}
+
 TEST(Writers, IntegersAreDigitsWithOrWithoutASign) {
   for (const char* bad : {"+-2", "2.", "2.0", "2e0", "-", "+", "2,", "99999999999999999999"}) {
     EXPECT_EQ(error_of(with(plain, "1 0 0 2", fmt::format("1 0 0 {}", bad))),
