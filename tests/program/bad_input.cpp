@@ -39,6 +39,10 @@ INSTANTIATE_TEST_SUITE_P(
     , BadMesh,
     testing::Values(
         Case{"empty", "", {}}, Case{"no_mesh", "once upon a time\n", {"MeshVersionFormatted"}},
+        Case{"compressed", "\x1f\x8b\x08", {"gzip", "Gamma Mesh Format"}},
+        Case{"second_order",
+             changed(two_tets, "End", "TetrahedraP2 1\n1 2 3 4 5 1 2 3 4 5 0\nEnd"),
+             {"line ", "TetrahedraP2", "order 1"}},
         Case{"flat_dimension", changed(two_tets, "Dimension 3", "Dimension 2"), {"line 2", "expected 3"}},
         Case{"no_tetrahedra", two_tets.substr(0, two_tets.find("Tetrahedra")) + "End\n", {"Tetrahedra"}},
         Case{"truncated", two_tets.substr(0, two_tets.find("2 3 4 5 0")), {"line ", "Tetrahedra"}},
