@@ -13,8 +13,8 @@ BlockPasses::BlockPasses(Session& session, std::size_t block_size) : block_size_
   for (int i = 0; i < worker_count(); ++i) kernels_.push_back(Kernel{session.mesh, session.model, *session.target});
 }
 
-// Calls body(kernel, b) for each block b, with the kernel set to work on it. The largest begin first, lest one of them
-// be waited for in the end.
+// Calls body(kernel, b) for each block b, after setting the kernel to this block. The largest blocks begin first, so
+// that the end does not have to wait for one of them.
 template <class Body>
 void BlockPasses::for_each_block(Body body) {
   for_each_task(blocks_.size(), [&](std::size_t i, int worker) {

@@ -1,4 +1,4 @@
-// The passes of a round over a mesh cut into blocks: one kernel a thread, one task a block.
+// The passes of a round over a mesh cut into blocks: one kernel per thread, one task per block.
 #pragma once
 
 #include <vector>
@@ -10,14 +10,14 @@
 
 namespace taut {
 
-/// Use: cut(), passes, close(). What the passes count is summed in the order of the blocks, so that every sum is the
-/// same to the last bit whoever did what.
+/// Use: cut(), passes, close(). The counts of the passes are summed in the order of the blocks, so that every sum is
+/// the same to the last bit on any number of threads.
 class BlockPasses {
 public:
-  /// Blocks of about `block_size` vertices; 0: a single one.
+  /// Blocks of about `block_size` vertices; 0: a single block.
   BlockPasses(Session& session, std::size_t block_size);
 
-  /// Cuts the mesh otherwise than ever before, and hands out the ids that insertion will need.
+  /// Cuts the mesh, each time at new places, and hands out the ids that insertion will need.
   void cut();
   void close() { blocks_.close(); }
 

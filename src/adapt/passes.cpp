@@ -5,15 +5,15 @@
 namespace taut {
 namespace {
 
-constexpr double clearly_long = 1.6;  // a longer edge must be split even if that makes short ones
+constexpr double clearly_long = 1.6;  // longer edges must be split even if that creates short ones
 constexpr double loose_filter = 0.35;
-constexpr double far_too_long = 3;  // an edge so long may never fit into a block once its surroundings are fine
+constexpr double far_too_long = 3;  // a longer edge may never fit into a block once its surroundings are fine
 
-constexpr std::size_t few_ids = 64;  // beyond what is foreseen
+constexpr std::size_t few_ids = 64;  // in addition to the estimate
 
-constexpr std::size_t reach = 4;  // how far ahead of a sweep memory is asked for
+constexpr std::size_t reach = 4;  // how many entities ahead memory is prefetched
 
-// Asks for what the shells of a tetrahedron will read: walking them is waiting for memory otherwise.
+// Prefetches what the shells of a tetrahedron will read. Otherwise, walking through them means waiting for memory.
 void prefetch_around(const TetMesh& mesh, const Tet& tet) {
   for (int k = 0; k < 4; ++k) {
     __builtin_prefetch(&mesh.vertices[tet.v[k]]);
@@ -21,9 +21,9 @@ void prefetch_around(const TetMesh& mesh, const Tet& tet) {
   }
 }
 
-// Calls visit(t) for those of the block's tetrahedra that exist when the pass begins and that `is_due` holds for when
-// their turn comes: draining what the pass itself makes gives poor meshes, for the swaps and relocations between two
-// passes decide where the next vertices belong. Tetrahedra that the block shares with others are put off.
+// Calls visit(t) for the block's tetrahedra that exist when the pass begins, if `is_due` holds when their turn comes.
+// Also visiting the tetrahedra that the pass itself creates gives poor meshes, because the swaps and relocations
+// between two passes decide where the next vertices belong. Tetrahedra that the block shares with others are put off.
 template <class IsDue, class Visit>
 void for_each_due_tet(Kernel& kernel, Tally& tally, IsDue is_due, Visit visit) {
   const std::vector<Tet>& tets = kernel.mesh.tets;
@@ -46,8 +46,8 @@ double edge_length(const Kernel& kernel, TetId t, int edge) {
   return kernel.length(v[edge_vertices[edge][0]], v[edge_vertices[edge][1]]);
 }
 
-// Measures the edges that may have to be split and remembers which are: no pass need come back to the others. Returns
-// the longest of those.
+// Measures the edges that may have to be split, and records which must be, so that no pass has to measure the others
+// again. Returns the longest of them.
 struct LongEdge {
   int edge = -1;
   double length = longest_unit;
@@ -65,8 +65,8 @@ LongEdge longest_edge(Kernel& kernel, TetId t) {
   return longest;
 }
 
-// The ids that splitting the longest edges of some tetrahedra takes. One that is far too long hardly gains from what is
-// done to its neighbours; the others share their edges.
+// The ids needed to split the longest edges of some tetrahedra. A tetrahedron with an edge that is far too long gains
+// little from splits around it; the others share their edges.
 class Splits {
 public:
   void add(const Kernel& kernel, TetId t, const LongEdge& longest) {
@@ -97,7 +97,7 @@ IdNeed needed_ids(Kernel& kernel) {
   Splits splits;
   for (std::size_t i = 0; i < block.tets.size(); ++i)
     if (is_due(block.tets[i])) splits.add(kernel, block.tets[i], longest_edge(kernel, block.tets[i]));
-  for (TetId t : block.shared_tets)  // measured where nobody else writes; they need no ids
+  for (TetId t : block.shared_tets)  // measured here, where nothing else writes to them; they need no ids
     if (is_due(t)) (void)longest_edge(kernel, t);
   IdNeed need{few_ids, few_ids + block.tets.size() / 16, few_ids};
   need += splits.need();

@@ -24,7 +24,7 @@ private:
   std::uint64_t hash_ = 14695981039346656037U;
 };
 
-// The hash of the hashes of its parts, which may be found side by side.
+// The hash of the hashes of the parts, which can be computed in parallel.
 template <class Tuple>
 Fnv1a hash_of(const std::vector<Tuple>& tuples) {
   return sum_in_order<Fnv1a>(tuples.size(), [&](Fnv1a& hash, std::size_t i) {

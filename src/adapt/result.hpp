@@ -1,4 +1,4 @@
-// From the mesh under work back to plain arrays.
+// From the working mesh back to plain arrays.
 #pragma once
 
 #include "adapt/session.hpp"

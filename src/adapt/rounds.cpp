@@ -46,8 +46,8 @@ public:
 
 private:
   struct Gain {
-    double changed = 0;     ///< vertices made and removed, as a share of the tetrahedra
-    double efficiency = 0;  ///< of log tau, by moving vertices
+    double changed = 0;     ///< vertices inserted and removed, as a share of the tetrahedra
+    double efficiency = 0;  ///< gain in log tau by relocation
   };
 
   // At rest swaps follow every second relocation, which gives the vertices time to settle between two changes of

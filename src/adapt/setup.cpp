@@ -35,7 +35,7 @@ std::vector<Sym3> limited_metric(const Mesh& mesh, const Metric& metric, const A
   truncate_all();
   if (!options.gradation) return metrics;
   metrics = gradate(mesh.points, edges_of(mesh.tetrahedra), std::move(metrics), *options.gradation);
-  truncate_all();  // intersecting metrics that are askew asks for smaller sizes than either
+  truncate_all();  // the intersection of metrics in oblique directions can have smaller sizes than either
   return metrics;
 }
 

@@ -1,4 +1,4 @@
-// From the caller's arrays to a mesh that can be worked on.
+// From the caller's arrays to a working mesh with its geometry and target.
 #pragma once
 
 #include "adapt/session.hpp"
@@ -6,10 +6,10 @@
 
 namespace taut {
 
-/// Throws InputError for an option out of its range.
+/// Throws InputError for an option that is out of range.
 void require_options(const AdaptOptions& options);
 
-/// Throws InputError for whatever cannot be used. Fills the report's counts of what was mended.
+/// Throws InputError if the mesh or the metric cannot be used. Fills the report's counts of corrections to the input.
 [[nodiscard]] Session set_up(const Mesh& mesh, const Metric& metric, const AdaptOptions& options, Report& report);
 
 }  // namespace taut

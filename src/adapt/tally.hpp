@@ -1,4 +1,4 @@
-// What became of the operations of one pass.
+// Counts of the operations of one pass, by outcome.
 #pragma once
 
 #include <array>
@@ -48,7 +48,7 @@ private:
   double seconds_ = 0, busy_ = 0;
 };
 
-/// Of all passes.
+/// The tallies of all passes.
 struct Tallies {
   Tally insertion{"insert"}, collapse{"collapse"}, swap{"swap"}, relocation{"relocate"}, repair{"repair"};
   double efficiency_gain = 0;  ///< see Kernel

@@ -1,4 +1,4 @@
-// A counting sort in parallel by many keys, side by side in one array; base/grouping.hpp is for a few groups.
+// A parallel counting sort by many keys, into one array; base/grouping.hpp is for a few groups.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace taut {
 
-/// Items side by side by ascending key.
+/// Items in one array, by ascending key.
 template <class Item>
 class Buckets {
 public:
@@ -100,8 +100,8 @@ private:
   std::vector<std::size_t> first_of_range_;
 };
 
-/// All items that emit(source, put) gives to put(key, item) for each source below `sources`, by their keys, which are
-/// below `keys`; those of one key in the order of the sources. emit() is called twice for each source, and
+/// Sorts by key all items that emit(source, put) passes to put(key, item), for each source below `sources`. Keys are
+/// below `keys`. Items of one key keep the order of their sources. emit() is called twice for each source, and
 /// concurrently.
 template <class Item, class Emit>
 [[nodiscard]] Buckets<Item> gather(std::size_t sources, std::size_t keys, const Emit& emit) {

@@ -1,4 +1,4 @@
-// A counting sort in parallel into a few groups, each an array of its own; base/buckets.hpp is for many keys.
+// A parallel counting sort into a few groups, each with its own array; base/buckets.hpp is for many keys.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,8 @@
 
 namespace taut {
 
-/// For each group below `groups` those of 0 .. group_of.size() - 1 that are in it, ascending. Other groups are ignored.
+/// For each group below `groups`, the indices 0 .. group_of.size() - 1 that are in it, ascending. Other groups are
+/// ignored.
 template <class Id>
 [[nodiscard]] std::vector<std::vector<Id>> group(const std::vector<std::uint32_t>& group_of, std::size_t groups) {
   const Chunks chunks(group_of.size(), std::size_t{1} << 16);

@@ -77,7 +77,8 @@ private:
 /// As a side of a triangle: no tetrahedron is there.
 inline constexpr FaceLink outside{};
 
-/// Where a vertex lives on the geometry, and so where it may go: in the volume, on a patch, on a line, at a corner.
+/// Where a vertex lies on the geometry, and therefore where it may move: in the volume, on a patch, on a line, at a
+/// corner.
 class Tag {
 public:
   constexpr Tag() = default;  ///< in the volume

@@ -1,4 +1,5 @@
-// All that knows of oneTBB. Built without ThreadSanitizer, which would take the scheduler's hand-overs for races.
+// The only file that uses oneTBB. Built without ThreadSanitizer, which would report the scheduler's hand-overs as
+// races.
 #include "base/parallel.hpp"
 
 #include <fmt/format.h>
@@ -21,8 +22,9 @@ int worker_count() {
 
 namespace detail {
 
-// Each runner takes the next task when it is done with one: nobody waits while there is work. Each task is isolated, so
-// that one that waits for parallel work of its own, as a metric function may, does not begin another meanwhile.
+// Each runner takes the next task when it has finished one, so that none waits while there is work. Each task is
+// isolated: a task that waits for parallel work of its own, as a metric function may, does not begin another task
+// meanwhile.
 void run_tasks(std::size_t count, Call call, void* context) {
   const auto runners = static_cast<int>(std::min(count, static_cast<std::size_t>(worker_count())));
   std::atomic<std::size_t> next = 0;
@@ -46,7 +48,7 @@ void on_threads(int threads, const std::function<void()>& work) {
     work();
     return;
   }
-  std::optional<tbb::global_control> more;  // than cores, which oneTBB does not start unasked
+  std::optional<tbb::global_control> more;  // threads than cores: oneTBB starts them only on request
   if (threads > tbb::info::default_concurrency())
     more.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);

@@ -1,4 +1,4 @@
-// Loops over several threads. What they compute does not depend on how many there are, nor on who does what when.
+// Loops on several threads. What they compute depends neither on the number of threads nor on the order of the tasks.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// How many tasks run at a time at most; a loop's worker numbers are below it.
+/// The largest number of tasks that run at a time; the worker numbers of a loop are below it.
 [[nodiscard]] int worker_count();
 
 namespace detail {
@@ -21,7 +21,7 @@ namespace detail {
 using Call = void (*)(void* context, std::size_t task, int worker);
 void run_tasks(std::size_t count, Call call, void* context);
 
-/// Keeps, of all exceptions, that of the first task: which one comes first in time is chance.
+/// Of all exceptions, keeps the one of the first task: which one is thrown first is a matter of chance.
 class FirstFailure {
 public:
   void keep(std::size_t task) {
@@ -40,8 +40,8 @@ private:
   std::exception_ptr failure_;
 };
 
-/// That a loop's tasks come after its beginning and before its end, said once more where ThreadSanitizer, which does
-/// not see into oneTBB, can read it. Nothing is said of one task and another.
+/// States that the tasks of a loop run after its beginning and before its end. oneTBB guarantees it, but
+/// ThreadSanitizer cannot see into oneTBB. Nothing is stated about the order of tasks.
 class ForkAndJoin {
 public:
   void fork() { started_.store(true, std::memory_order_release); }
@@ -56,9 +56,9 @@ private:
 
 }  // namespace detail
 
-/// Calls body(task, worker) once for each task below `count`, in any order and several at a time, but no two at a time
-/// with one worker number. Later tasks start later. Returns when all are done; if some threw, throws what the first of
-/// them did, the others having run.
+/// Calls body(task, worker) once for each task below `count`. Several tasks run at a time, but never two with the same
+/// worker number; later tasks start later. Returns when all tasks are done. If tasks throw, all others still run, and
+/// then the exception of the first of them is thrown.
 template <class Body>
 void for_each_task(std::size_t count, Body&& body) {
   struct Context {
@@ -84,7 +84,7 @@ void for_each_task(std::size_t count, Body&& body) {
   context.failure.rethrow();
 }
 
-/// Parts of a range: their bounds depend on its length alone.
+/// Parts of a range. Their bounds depend only on its length.
 struct Chunks {
   std::size_t count, length;
 
@@ -104,8 +104,8 @@ void for_each_index(std::size_t count, Body&& body) {
   });
 }
 
-/// The sum over i of what add(sum, i) adds to a Sum{} of each chunk; the chunks' sums are joined by `sum += other` in
-/// their order.
+/// The sum of what add(sum, i) adds for each i below `count`. Each chunk starts with a Sum{}; the sums of the chunks
+/// are added by `sum += other`, in the order of the chunks.
 template <class Sum, class Add>
 [[nodiscard]] Sum sum_in_order(std::size_t count, Add&& add) {
   const Chunks chunks(count);
@@ -120,7 +120,7 @@ template <class Sum, class Add>
   return total;
 }
 
-/// What add(list, i) appends to a list for each i of the chunks, ascending.
+/// What add(list, i) appends to a list for each i of the chunks, in ascending order of i.
 template <class T, class Add>
 [[nodiscard]] std::vector<T> collect_in_order(Chunks chunks, Add&& add) {
   std::vector<std::vector<T>> lists(chunks.size());
@@ -138,7 +138,7 @@ template <class T, class Add>
   return all;
 }
 
-/// Those of 0 .. count - 1 that fulfil the condition, ascending.
+/// The indices 0 .. count - 1 that fulfil the condition, ascending.
 template <class Condition>
 [[nodiscard]] std::vector<std::uint32_t> indices_where(std::size_t count, Condition&& condition) {
   return collect_in_order<std::uint32_t>(Chunks(count), [&](std::vector<std::uint32_t>& list, std::size_t i) {

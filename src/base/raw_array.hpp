@@ -1,4 +1,4 @@
-// An array that nobody has filled.
+// An array without initial values.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,8 @@
 
 namespace taut {
 
-/// As long as asked for, its values not set: the threads that fill it are then also those who wait for its memory.
+/// An array of fixed length whose values are not set, so that the threads that fill it also share the cost of first
+/// touching its memory.
 template <class T>
 class RawArray {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);

@@ -13,7 +13,8 @@ bool is_before(const KeyedIndex& a, const KeyedIndex& b) {
 
 }  // namespace
 
-// Sorted runs, merged two by two. No sort of oneTBB's: ThreadSanitizer would not see what orders its threads.
+// Sorts runs and merges them in pairs. Does not use oneTBB's sort, because ThreadSanitizer cannot see what orders its
+// threads.
 void sort(std::vector<KeyedIndex>& values) {
   constexpr std::size_t run_length = std::size_t{1} << 13;
   const auto at = [](std::vector<KeyedIndex>& of, std::size_t i) {

@@ -1,4 +1,4 @@
-// A sort in parallel.
+// A parallel sort.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ struct KeyedIndex {
   std::uint32_t index;
 };
 
-/// Sorts by key, and what has the same key by index.
+/// Sorts by key; equal keys by index.
 void sort(std::vector<KeyedIndex>& values);
 
 }  // namespace taut

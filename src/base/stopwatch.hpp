@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// Seconds since it was made.
+/// Measures the time since its construction.
 class Stopwatch {
 public:
   [[nodiscard]] double seconds() const {

@@ -1,4 +1,4 @@
-// Symmetric 3x3 tensors, entries in the order xx, xy, xz, yy, yz, zz (that of taut::Tensor).
+// Symmetric 3x3 tensors, with entries in the order of taut::Tensor: xx, xy, xz, yy, yz, zz.
 #pragma once
 
 #include <array>

@@ -15,16 +15,16 @@ public:
   [[nodiscard]] bool has(Trial kind, int entity) const { return (bits_ & bit(kind, entity)) != 0; }
   void set(Trial kind, int entity) { bits_ |= bit(kind, entity); }
 
-  /// Swaps, of edges and of faces, may succeed now where they failed.
+  /// Swaps of edges and of faces that failed may succeed now.
   void forget_swaps() { bits_ &= ~(all_of(Trial::edge_swap) | all_of(Trial::face_swap)); }
 
-  /// Insertion and collapse may succeed now where they failed.
+  /// Insertions and collapses that failed may succeed now.
   void forget_lengths() {
     const std::uint32_t edges = (bits_ >> first(Trial::not_unit)) & six;
     bits_ &= ~((edges << first(Trial::insertion)) | (edges << first(Trial::collapse)));
   }
 
-  /// Notes whether an edge was found too long, too short or (both false) unit: only what has a chance is left to try.
+  /// Records whether an edge is too long, too short or (both false) unit: only what can succeed is left to try.
   void set_length(int edge, bool is_long, bool is_short) {
     bits_ &= ~(bit(Trial::insertion, edge) | bit(Trial::collapse, edge) | bit(Trial::not_unit, edge));
     if (!is_long) set(Trial::insertion, edge);

@@ -1,4 +1,4 @@
-// Arithmetic on points and vectors of space.
+// Arithmetic on points and vectors in space.
 #pragma once
 
 #include <array>

@@ -9,7 +9,7 @@ namespace taut {
 
 Outcome Cavity::add_face(const TetMesh& mesh, int owner, int face) {
   const auto v = mesh.face(tets[owner], face);
-  // Of a collapse's ball the hull faces at the vanishing vertex lie on patches that the apex is not on.
+  // In the ball of a collapse, the hull faces at the removed vertex lie on patches that do not contain the apex.
   if (gone_ != none && (v[0] == gone_ || v[1] == gone_ || v[2] == gone_)) return Outcome::geometry;
   for (int k = 0; k < 3; ++k) {
     if (v[k] != apex_.id) continue;
@@ -40,7 +40,7 @@ Outcome Cavity::add_triangle(const TetMesh& mesh, const Model& model, int owner,
   const bool goes = model.on_patch(apex_.tag, triangle.patch);
   if (other != outside && tets.contains(other.tet())) {  // between two tetrahedra of the cavity
     if (!goes) return Outcome::geometry;
-    if (triangle.side[0] != here) return Outcome::accepted;  // noted from the other side
+    if (triangle.side[0] != here) return Outcome::accepted;  // recorded from the other side
     return surface_.remove(t) ? Outcome::accepted : Outcome::too_large;
   }
   if (goes && other == outside) return surface_.remove(t) ? Outcome::accepted : Outcome::too_large;
@@ -135,7 +135,8 @@ bool Cavity::enter_edges() {
   return true;
 }
 
-// Every side of a new tetrahedron finds another one, a face at the apex, or a new triangle; regions part at triangles.
+// Every side face of a new tetrahedron meets another new tetrahedron, a face at the apex, or a new triangle; triangles
+// separate regions.
 bool Cavity::sides_agree(const TetMesh& mesh) const {
   for (int i = 0; i < batch.size(); ++i) {
     const auto& l = faces_[i].local;

@@ -1,4 +1,4 @@
-// The one operator: a set of tetrahedra goes, and the hull's faces are joined to one vertex, the apex
+// The cavity operator: removes a set of tetrahedra and connects the faces of its hull to one vertex, the apex
 // (Dobrzynski and Frey 2008, section 3: T <- T - C(p) + B(p); Loseille and Loehner's cavity operator).
 #pragma once
 
@@ -19,7 +19,7 @@ namespace taut {
 class Cavity {
 public:
   TetSet tets;      ///< collected
-  FaceBatch batch;  ///< the hull's faces that will carry a new tetrahedron, evaluated from the apex
+  FaceBatch batch;  ///< the hull's faces that get a new tetrahedron, evaluated from the apex
 
   /// The whole operation: proposes, judges, validates and commits. judge() looks at `batch` and lengths(), changes
   /// nothing and returns an Outcome. `gone` is the vertex that a collapse removes.
@@ -45,7 +45,7 @@ public:
   /// The tetrahedron that owns face i of the batch, as an index into `tets`.
   [[nodiscard]] int owner(int i) const { return faces_[i].owner; }
 
-  /// Whether face i of the batch sees the apex: its new tetrahedron is positive, exactly.
+  /// Whether face i of the batch sees the apex: its new tetrahedron is exactly positive.
   [[nodiscard]] bool sees(int i) const;
 
   [[nodiscard]] double worst_old_quality(const TetMesh& mesh) const;
@@ -53,7 +53,7 @@ public:
   /// Fast edge lengths from the apex to the hull's vertices; valid until the next call.
   [[nodiscard]] std::span<const double> lengths() { return vertices_.lengths(apex_.vertex); }
 
-  /// The tetrahedra made by the last commit().
+  /// The tetrahedra created by the last commit().
   [[nodiscard]] std::span<const TetId> made() const { return {made_.data(), static_cast<std::size_t>(batch.size())}; }
 
 private:
@@ -74,7 +74,7 @@ private:
     int owner;
     int face;  ///< of the owner
   };
-  struct ApexFace {  ///< contains the apex: its link is glued to a new tetrahedron at edge bc
+  struct ApexFace {  ///< contains the apex: its link is connected to a new tetrahedron at edge bc
     VertexId b, c;
     std::uint8_t local_b, local_c;
     int owner, face;
@@ -112,7 +112,7 @@ private:
   std::array<HullFace, FaceBatch::capacity> faces_{};
   std::array<ApexFace, FaceBatch::capacity> apex_faces_{};
 
-  // Directed edge (a, b) of a hull face, in local numbers -> which one: 1 + 3 face + edge, or apex_base + apex face.
+  // Maps a directed edge (a, b) of a hull face, in local numbers, to 1 + 3 face + edge, or to apex_base + apex face.
   static constexpr int apex_base = 1 + 3 * FaceBatch::capacity;
   std::array<std::array<std::uint16_t, VertexBatch::capacity>, VertexBatch::capacity> edge_{};
 

@@ -5,10 +5,11 @@
 namespace taut {
 namespace {
 
-// The two vertices off each edge such that (edge, these) is an even permutation: a positive tetrahedron.
+// The two vertices opposite each edge such that (edge, these two) is an even permutation, that is, a positive
+// tetrahedron.
 constexpr std::array<std::array<int, 2>, 6> off_edge = {{{2, 3}, {3, 1}, {1, 2}, {0, 3}, {2, 0}, {0, 1}}};
 
-// A tetrahedron of the shell, with the two ring vertices between which it lies.
+// A tetrahedron of the shell, and the two ring vertices between which it lies.
 struct Step {
   TetId tet;
   VertexId from, to;
@@ -16,8 +17,8 @@ struct Step {
 
 enum class Turn { on, boundary, foreign };
 
-// Turns on round ab across the face (a, b, to). Where one end of the edge has its whole ball in the block, `block` is
-// null: there is nothing to ask.
+// Continues around ab across the face (a, b, to). If the whole ball of one end of the edge is in the block, `block` is
+// null, because nothing needs to be checked.
 Turn advance(const TetMesh& mesh, const Block* block, Step& step) {
   const FaceLink link = mesh.beyond(step.tet, mesh.tets[step.tet].index_of(step.from));
   if (link == outside) return Turn::boundary;
@@ -42,7 +43,7 @@ bool append(const TetMesh& mesh, const Step& step, Shell& shell) {
   return note_triangle(mesh, step, step.from, shell);
 }
 
-// Turns back, from a tetrahedron beyond which there is a boundary, to the one from which the open shell is walked.
+// Walks back, from a tetrahedron at the boundary, to the first tetrahedron of the open shell.
 Turn rewind(const TetMesh& mesh, const Block* block, Step& step) {
   Step back{step.tet, step.to, step.from};
   Turn turn = Turn::on;
@@ -71,7 +72,7 @@ Outcome collect_shell(const TetMesh& mesh, const Block& block, TetId t, int edge
     if (turn == Turn::foreign) return Outcome::put_off;
     if (turn == Turn::boundary) {
       if (open) break;
-      open = true;  // start again from the shell's other end
+      open = true;  // start again at the other end of the shell
       shell.size = shell.triangle_count = 0;
       if (rewind(mesh, guard, step) == Turn::foreign) return Outcome::put_off;
       if (!note_triangle(mesh, step, step.to, shell)) return Outcome::too_large;

@@ -1,4 +1,4 @@
-// Balls of vertices and shells of edges, gathered by walking from tetrahedron to tetrahedron.
+// Balls of vertices and shells of edges, collected by walking from tetrahedron to tetrahedron.
 #pragma once
 
 #include <array>
@@ -10,13 +10,13 @@
 
 namespace taut {
 
-/// All tetrahedra at v, whose ball the block must own, those across interfaces too. Calls visit(tet, number of v in it,
-/// the vertex by which it differs from one met before; `none` for the first) for each. False if there is no room for
-/// them.
+/// Collects all tetrahedra at v, also across interfaces. The block must own the ball of v. For each tetrahedron, calls
+/// visit(tet, local number of v, the vertex that the neighbour through which it was reached does not have; `none` for
+/// the first). False if there is no room.
 template <class Visit>
 [[nodiscard]] bool walk_ball(const TetMesh& mesh, VertexId v, TetSet& ball, Visit visit) {
   ball.clear();
-  std::array<std::int8_t, TetSet::capacity> came_by;  // the face that need not be crossed back
+  std::array<std::int8_t, TetSet::capacity> came_by;  // the face through which it was reached
   (void)ball.add(mesh.tet_of_vertex[v]);
   came_by[0] = -1;
   for (int i = 0; i < ball.size(); ++i) {
@@ -28,7 +28,7 @@ template <class Visit>
       const FaceLink link = mesh.beyond(ball[i], f);
       if (link == outside || ball.contains(link.tet())) continue;
       if (ball.size() == TetSet::capacity) return false;
-      __builtin_prefetch(&mesh.tets[link.tet()]);  // read only when its turn comes
+      __builtin_prefetch(&mesh.tets[link.tet()]);  // it is read later
       came_by[ball.size()] = static_cast<std::int8_t>(link.face());
       (void)ball.add(link.tet());
     }
@@ -39,8 +39,8 @@ template <class Visit>
 /// The same without a visit.
 [[nodiscard]] bool collect_ball(const TetMesh& mesh, VertexId v, TetSet& ball);
 
-/// The tetrahedra round an edge ab. Tetrahedron i is positive as (a, b, ring[i], ring[i+1]), modulo the ring's size if
-/// the shell is closed; an open one starts and ends at the boundary.
+/// The tetrahedra around an edge ab. Tetrahedron i is positive as (a, b, ring[i], ring[i+1]), modulo the ring's size if
+/// the shell is closed. An open shell starts and ends at the boundary.
 struct Shell {
   static constexpr int capacity = 64;
 
@@ -57,8 +57,8 @@ struct Shell {
   [[nodiscard]] VertexId next(int i) const { return ring[i + 1 == ring_size ? 0 : i + 1]; }
 };
 
-/// The shell of an edge of t, a tetrahedron of the block. Put off if not all of it is; too large if there is no room,
-/// or more triangles meet at the edge than a sound geometry has.
+/// The shell of an edge of t, a tetrahedron of the block. Put off if a part of the shell is not in the block; too large
+/// if there is no room, or if more triangles meet at the edge than in a valid geometry.
 [[nodiscard]] Outcome collect_shell(const TetMesh& mesh, const Block& block, TetId t, int edge, Shell& shell);
 
 }  // namespace taut

@@ -1,4 +1,4 @@
-// The writing half of the cavity operator.
+// The part of the cavity operator that writes to the mesh.
 #include <algorithm>
 #include <cassert>
 
@@ -41,7 +41,7 @@ void Cavity::make_apex(TetMesh& mesh, Block& block) const {
   if (!mesh.is_vertex_alive(apex_.id)) block.add_vertex(mesh, apex_.vertex, apex_.tag, apex_.host);
 }
 
-// New tetrahedra take the ids of the old ones first: neighbours in space stay neighbours in memory.
+// New tetrahedra first take the ids of the removed ones, so that neighbours in space stay neighbours in memory.
 void Cavity::take_ids(Block& block) {
   for (int i = 0; i < batch.size(); ++i) made_[i] = i < tets.size() ? tets[i] : block.tets.take();
 }
@@ -78,7 +78,7 @@ void Cavity::make_tet(TetMesh& mesh, int i) {
   }
 }
 
-// What lay beyond `old_face` of a removed tetrahedron now sees `new_face`.
+// Links what was behind `old_face` of a removed tetrahedron to `new_face`.
 void Cavity::relink(TetMesh& mesh, FaceLink link, FaceLink old_face, FaceLink new_face) const {
   if (!link.is_triangle()) {
     mesh.tets[link.tet()].n[link.face()] = new_face;

@@ -5,7 +5,8 @@
 namespace taut {
 namespace {
 
-// 1/Q = V6 sqrt(det M) / S^(3/2) times this, S the sum of the six squared lengths; the same with M four times as large.
+// 1/Q = V6 sqrt(det M) / S^(3/2) times this, where S is the sum of the six squared lengths; it does not change if M is
+// four times as large.
 constexpr double regular = 20.784609690826528;  // 12 sqrt 3
 
 // Shewchuk's bound (7 + 56 eps) eps for det(a-p, b-p, c-p), times the 6 products of the permanent.
@@ -33,7 +34,7 @@ void FaceBatch::push(const Vertex& a, const Vertex& b, const Vertex& c) {
 void FaceBatch::evaluate(const Vertex& apex) {
   const double px = apex.x[0], py = apex.x[1], pz = apex.x[2];
   const Sym3 m = apex.m;
-  const int lanes = (size_ + 3) & ~3;  // whole vectors: the lanes beyond the end hold numbers nobody reads
+  const int lanes = (size_ + 3) & ~3;  // whole vectors: nothing reads the lanes beyond the end
   for (int i = 0; i < lanes; ++i) {
     const double ax = x_[0][i] - px, ay = x_[1][i] - py, az = x_[2][i] - pz;
     const double bx = x_[3][i] - px, by = x_[4][i] - py, bz = x_[5][i] - pz;
@@ -41,7 +42,7 @@ void FaceBatch::evaluate(const Vertex& apex) {
     const double m0 = m_[0][i] + m[0], m1 = m_[1][i] + m[1], m2 = m_[2][i] + m[2];
     const double m3 = m_[3][i] + m[3], m4 = m_[4][i] + m[4], m5 = m_[5][i] + m[5];
     const double v = ax * (by * cz - bz * cy) - ay * (bx * cz - bz * cx) + az * (bx * cy - by * cx);
-    // The determinant by its pivots: cofactors lose all digits on a rotated metric of anisotropy 1e4.
+    // The determinant from the pivots: cofactors lose all digits on a rotated metric of anisotropy 1e4.
     const double i0 = 1 / m0, d1 = m3 - m1 * i0 * m1, r = m4 - m2 * i0 * m1;
     const double det = m0 * (d1 * (m5 - m2 * i0 * m2) - r * r);
     const auto form = [&](double x, double y, double z) { return quadratic_form(m0, m1, m2, m3, m4, m5, x, y, z); };

@@ -1,4 +1,5 @@
-// Oriented triangles gathered once and judged, as bases of tetrahedra, for one apex after another in vector form.
+// Oriented triangles that are gathered once and then evaluated, as bases of tetrahedra, for one apex after another, in
+// vector form.
 #pragma once
 
 #include <array>
@@ -18,8 +19,9 @@ public:
   [[nodiscard]] bool full() const { return size_ == capacity; }
   void push(const Vertex& a, const Vertex& b, const Vertex& c);
 
-  /// For each face abc: `volume` = det(a-p, b-p, c-p), six times that of the tetrahedron pabc, and `quality` = 1/Q of
-  /// it (method of Dobrzynski and Frey 2008, 2.3, M_K the mean of the four metrics; negative where inverted).
+  /// For each face abc: `volume` = det(a-p, b-p, c-p), six times the volume of the tetrahedron pabc, and
+  /// `quality` = 1/Q of it (Dobrzynski and Frey 2008, 2.3, with M_K the mean of the four metrics; negative if
+  /// inverted).
   void evaluate(const Vertex& apex);
 
   /// Whether every quality is above the bound.
@@ -31,7 +33,7 @@ public:
 
   alignas(64) std::array<double, capacity> volume{};
   alignas(64) std::array<double, capacity> quality{};
-  alignas(64) std::array<double, capacity> doubtful_volume{};  ///< up to it the sign of `volume` is not certain
+  alignas(64) std::array<double, capacity> doubtful_volume{};  ///< up to this size, the sign of `volume` is not certain
 
 private:
   int size_ = 0;

@@ -8,7 +8,7 @@ namespace taut {
 
 enum class Outcome : std::uint8_t {
   accepted,      ///< it was done
-  too_large,     ///< more tetrahedra than a sound cavity has
+  too_large,     ///< more tetrahedra than a valid cavity has
   frozen,        ///< a required entity, or a patch that may not change, is in the way
   geometry,      ///< a corner, ridge or patch would change
   inverted,      ///< a new tetrahedron would not be positive
@@ -17,7 +17,7 @@ enum class Outcome : std::uint8_t {
   long_edge,     ///< a new edge would be too long
   topology,      ///< the cavity's hull is not a surface, or a vertex would lose its last tetrahedron
   no_candidate,  ///< nothing better was found
-  put_off        ///< it reaches beyond the block, or the block has no ids left: another round will come to it
+  put_off        ///< it reaches beyond the block, or the block has no ids left: a later round will try it
 };
 
 inline constexpr std::array<const char*, 11> outcome_names = {"accepted", "too large",      "frozen",     "geometry",

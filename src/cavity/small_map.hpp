@@ -1,4 +1,4 @@
-// A set or map of a few dozen ids that lives in the first-level cache and is emptied in no time.
+// A set or map of a few dozen ids that fits into the first-level cache and is cleared in constant time.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// Open addressing; at most half of `slots` entries are kept by the caller.
+/// Open addressing. The caller must use at most half of the `slots`.
 template <int slots>
 class SmallMap {
   static_assert((slots & (slots - 1)) == 0);
@@ -15,7 +15,7 @@ public:
   static constexpr int missing = -1;
 
   void clear() {
-    if (++stamp_ == 0) {  // wrapped round after 2^32 uses
+    if (++stamp_ == 0) {  // the counter has overflowed after 2^32 uses
       entries_.fill(0);
       stamp_ = 1;
     }
@@ -30,7 +30,7 @@ public:
   }
   [[nodiscard]] bool contains(std::uint32_t key) const { return find(key) != missing; }
 
-  /// The value of `key`, which becomes `value` if it has none.
+  /// The value of `key`; if it has none, it becomes `value`.
   int find_or_insert(std::uint32_t key, int value) {
     const std::uint64_t wanted = entry(key);
     for (std::uint32_t h = hash(key);; h = (h + 1) & (slots - 1)) {
@@ -43,7 +43,7 @@ public:
   }
 
 private:
-  // The stamp says in which use of the map a slot was filled.
+  // The stamp records in which use of the map a slot was filled.
   [[nodiscard]] std::uint64_t entry(std::uint32_t key) const { return (std::uint64_t{stamp_} << 32) | key; }
   [[nodiscard]] bool is_free(std::uint32_t slot) const { return (entries_[slot] >> 32) != stamp_; }
   static std::uint32_t hash(std::uint32_t key) { return (key * 2654435769U) >> (32 - log2_slots); }

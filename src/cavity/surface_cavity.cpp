@@ -55,7 +55,7 @@ Outcome SurfaceCavity::rejoin(const TetMesh& mesh, const Model& model, const Ape
   for (int i = 0; i < edge_size_; ++i) {
     const Edge& e = edges_[i];
     const bool at_apex = e.a == apex.id || e.b == apex.id;
-    if (e.line != none && model.on_line(apex.tag, e.line)) {  // collinear with the apex: a feature edge that goes
+    if (e.line != none && model.on_line(apex.tag, e.line)) {  // collinear with the apex: a feature edge that is removed
       if (e.a != apex.id) toggle_end(e.a, e.patch, e.line);
       if (e.b != apex.id) toggle_end(e.b, e.patch, e.line);
       continue;

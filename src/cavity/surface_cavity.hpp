@@ -1,4 +1,4 @@
-// The triangles and feature edges that go with a cavity, and those that come: the cavity operator one dimension down.
+// The triangles and feature edges that a cavity removes and creates: the cavity operator one dimension lower.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// The vertex to which a cavity is re-joined: one of the mesh's, or one about to be made.
+/// The vertex to which a cavity is connected: a vertex of the mesh, or one that will be created.
 struct Apex {
   VertexId id = none;
   Vertex vertex{};
@@ -23,13 +23,13 @@ struct Apex {
   return {v, mesh.vertices[v], mesh.tag_of_vertex[v]};
 }
 
-/// Within each patch, the border edges of the triangles removed are joined to the apex; so are, within each line, the
-/// end points of the feature edges removed.
+/// Within each patch, connects the border edges of the removed triangles to the apex; within each line, the end points
+/// of the removed feature edges.
 class SurfaceCavity {
 public:
   static constexpr int capacity = 48;
 
-  /// A new triangle (apex, a, b), oriented as those that it replaces.
+  /// A new triangle (apex, a, b), oriented like those that it replaces.
   struct Border {
     VertexId a, b;
     PatchId patch;

@@ -17,7 +17,7 @@ public:
     size_ = 0;
     index_.clear();
   }
-  /// False when there is no room: no sound cavity is that large.
+  /// False if there is no room: no valid cavity is that large.
   [[nodiscard]] bool add(TetId t) {
     if (size_ == capacity) return false;
     index_.find_or_insert(t, size_);

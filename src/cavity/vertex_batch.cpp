@@ -27,7 +27,7 @@ Vec3 VertexBatch::weighted_edges(const Vec3& p, std::span<const double> weights)
 std::span<const double> VertexBatch::lengths(const Vertex& apex) {
   const Vec3 p = apex.x;
   const Sym3 m = apex.m;
-  const int lanes = (size_ + 3) & ~3;  // whole vectors: the lanes beyond the end hold numbers nobody reads
+  const int lanes = (size_ + 3) & ~3;  // whole vectors: nothing reads the lanes beyond the end
   for (int i = 0; i < lanes; ++i) {
     const double x = x_[0][i] - p[0], y = x_[1][i] - p[1], z = x_[2][i] - p[2];
     const double a = quadratic_form(m[0], m[1], m[2], m[3], m[4], m[5], x, y, z);

@@ -1,4 +1,4 @@
-// A few dozen vertices gathered once, so that the edges to them are measured in vector form.
+// A few dozen vertices that are gathered once, so that the edges to them can be measured in vector form.
 #pragma once
 
 #include <array>

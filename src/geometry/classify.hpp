@@ -12,7 +12,7 @@ namespace taut {
 ///
 /// Patches are what the feature edges (geometry/features.hpp) part. A patch that is not planar is frozen, and with
 /// `Surface::fixed` every one. A vertex on two collinear feature edges of one kind lies on a line, any other vertex of
-/// a feature edge is a corner. Throws InputError for an edge of the input that is no edge of the mesh.
+/// a feature edge is a corner. Throws InputError for an edge of the input that is not an edge of the mesh.
 [[nodiscard]] Model classify(const Mesh& input, Built& built, Surface surface, double ridge_angle);
 
 }  // namespace taut

@@ -67,7 +67,8 @@ public:
 private:
   [[nodiscard]] bool is_ridge(const EdgeUse& s, const EdgeUse& t) const {
     const Vec3 &n = area_normal_[s.triangle], &m = area_normal_[t.triangle];
-    // Interfaces may be oriented either way: compare with the orientation in which the edge is run through oppositely.
+    // Interfaces may have either orientation: compare the normals as if both triangles traversed the edge in opposite
+    // directions.
     const double sign = runs_forward(s) != runs_forward(t) ? 1 : -1;
     return sign * dot(n, m) <= smooth_cosine_ * norm(n) * norm(m) || refs_[s.triangle] != refs_[t.triangle];
   }

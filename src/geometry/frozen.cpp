@@ -40,13 +40,14 @@ bool is_dangling(const TetMesh& mesh, const Feature& f) {
   return false;
 }
 
-// Where parts touch in an edge, more than two of its triangles bound the domain: a shell would be one part only.
+// If parts of the mesh touch at an edge, more than two of its triangles bound the domain, and a shell would contain
+// only one part.
 bool is_pinched(const TetMesh& mesh, const Feature& f) {
   return std::ranges::count_if(f.uses,
                                [&](const EdgeUse& use) { return mesh.triangles[use.triangle].side[1] == outside; }) > 2;
 }
 
-// Tetrahedra at v that are reached from one of them without leaving v.
+// The number of tetrahedra at v that can be reached from one of them without leaving v.
 std::size_t connected_degree(const TetMesh& mesh, VertexId v) {
   std::vector<TetId> reached{mesh.tet_of_vertex[v]};
   for (std::size_t i = 0; i < reached.size(); ++i) {
@@ -59,7 +60,7 @@ std::size_t connected_degree(const TetMesh& mesh, VertexId v) {
   return reached.size();
 }
 
-// Where parts of the mesh touch in no more than a vertex, a walk round it would find one part only.
+// If parts of the mesh touch only at a vertex, a walk around the vertex would find only one part.
 void fix_pinched_vertices(const TetMesh& mesh, std::vector<std::uint8_t>& fixed) {
   std::vector<std::uint32_t> degree(mesh.vertices.size(), 0);
   for (const Tet& tet : mesh.tets)

@@ -23,7 +23,7 @@ public:
   [[nodiscard]] const std::vector<FeatureIndex>& at(VertexId v) const { return features_at_[v]; }
   [[nodiscard]] bool is_fixed(VertexId v) const { return fixed_[v] != 0; }
 
-  /// Whether the two features at v are one line: collinear, of one kind, and nothing else fixes v.
+  /// Whether the two features at v are one line: they are collinear and of the same kind, and nothing else fixes v.
   [[nodiscard]] bool is_on_line(VertexId v) const;
 
   [[nodiscard]] VertexId other_end(FeatureIndex f, VertexId v) const {

@@ -1,4 +1,4 @@
-// The boundary as it must stay: patches, lines and corners, and which lies on which.
+// The boundary that must be preserved: patches, lines and corners, and how they are connected.
 #pragma once
 
 #include <array>
@@ -35,26 +35,26 @@ struct Line {
   bool frozen = false;
   bool sharp = false;  ///< written as a ridge
   bool required = false;
-  bool implicit = false;  ///< parts required triangles from others: not written
+  bool implicit = false;  ///< separates required triangles from others: not written
   Vec3 origin{}, direction{};
   std::vector<PatchId> patches;
 };
 
-/// A vertex that stays. Corners of nothing but frozen patches share one entry without patches and lines.
+/// A vertex that is kept. Corners of only frozen patches share one entry without patches and lines.
 struct Corner {
   std::vector<PatchId> patches;
   std::vector<LineId> lines;
 };
 
-/// One reference of tetrahedra. Those of a frozen region stay: the input requires them, or an edge inside the volume
-/// does.
+/// The tetrahedra of one reference. Those of a frozen region are kept, because the input requires them or an edge
+/// inside the volume.
 struct Region {
   int ref = 0;
   bool frozen = false;
   bool required = false;
 };
 
-/// An edge of the input inside the volume: the tetrahedra round it stay as they are.
+/// An edge of the input inside the volume. The tetrahedra around it are kept as they are.
 struct InnerEdge {
   std::array<std::uint32_t, 2> points;  ///< of the input
   int ref = 0;
@@ -75,9 +75,9 @@ public:
   /// A corner of those of its patches and lines that may change.
   CornerId add_corner(Corner corner);
 
-  /// Whether a vertex so tagged lies in the closure of a patch that may change.
+  /// Whether a vertex with this tag lies on the patch or its border, and the patch may change.
   [[nodiscard]] bool on_patch(Tag tag, PatchId patch) const;
-  /// Whether a vertex so tagged lies in the closure of a line that may change.
+  /// Whether a vertex with this tag lies on the line or its ends, and the line may change.
   [[nodiscard]] bool on_line(Tag tag, LineId line) const;
   /// The point of the vertex's patch or line nearest to x; x itself in the volume, at a corner and on what is frozen.
   [[nodiscard]] Vec3 project(Tag tag, const Vec3& x) const;

@@ -38,7 +38,7 @@ std::vector<TriangleId> roots(std::size_t triangles, std::span<const Pair> joine
   return parent;
 }
 
-// A plane across an axis keeps its coordinate exactly: no rounding moves the vertices off it.
+// A plane perpendicular to an axis keeps its coordinate exactly, so that rounding never moves vertices off the plane.
 void snap_to_axis(Vec3& normal) {
   for (int d = 0; d < 3; ++d) {
     if (std::fabs(normal[d]) < 1 - 1e-15) continue;

@@ -16,7 +16,7 @@ struct EdgeUse {
   int corner;
 };
 
-/// All uses, those of one edge side by side, in ascending order of edge and triangle.
+/// All uses, in ascending order of edge and triangle, so that those of one edge are adjacent.
 [[nodiscard]] std::vector<EdgeUse> edge_uses(const std::vector<Triangle>& triangles);
 
 /// Calls visit(span of the uses of one edge) for each edge.

@@ -8,9 +8,9 @@
 namespace taut {
 namespace {
 
-constexpr int most_steps = 4000;         // of a walk: a mesh of a million tetrahedra is some 200 across
-constexpr std::size_t most_cells = 400;  // looked at round the place where a walk met the boundary
-constexpr double inside = -1e-9;         // a barycentric coordinate above it is as good as zero
+constexpr int most_steps = 4000;         // of a walk: a mesh of a million tetrahedra is about 200 tetrahedra across
+constexpr std::size_t most_cells = 400;  // searched around the place where a walk met the boundary
+constexpr double inside = -1e-9;         // barycentric coordinates above it count as not negative
 constexpr double on_boundary = -1e-6;    // rounding of a point on an oblique face
 
 }  // namespace
@@ -44,7 +44,7 @@ Weights Background::barycentric(CellId cell, const Vec3& x) const {
   return {w[0] * scale, w[1] * scale, w[2] * scale, w[3] * scale};
 }
 
-// From cell to cell across the face that the point lies farthest beyond. False if the boundary was in the way.
+// Walks from cell to cell, across the face that the point is farthest behind. False if the boundary was in the way.
 bool Background::walk(const Vec3& x, CellId& host, Weights& weights) const {
   CellId from = none;
   for (int step = 0; step < most_steps; ++step) {
@@ -56,7 +56,7 @@ bool Background::walk(const Vec3& x, CellId& host, Weights& weights) const {
       if (weights[f] >= least) continue;
       if (cells_[host].beyond[f] == none) {
         blocked = true;
-      } else if (cells_[host].beyond[f] != from) {  // never straight back: rounding could make it swing to and fro
+      } else if (cells_[host].beyond[f] != from) {  // not straight back: rounding could make the walk oscillate
         least = weights[f];
         worst = f;
       }
@@ -67,7 +67,8 @@ bool Background::walk(const Vec3& x, CellId& host, Weights& weights) const {
   return false;
 }
 
-// The walk ended at the boundary: of the cells around, the one that the point is in, or least outside of.
+// For a walk that ended at the boundary: finds the cell around it that contains the point, or is nearest to containing
+// it.
 void Background::search_around(const Vec3& x, CellId& host, Weights& weights) const {
   const auto lowest = [](const Weights& w) { return *std::min_element(w.begin(), w.end()); };
   double best = lowest(weights);

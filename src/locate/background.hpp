@@ -32,7 +32,7 @@ public:
 private:
   struct Cell {
     std::array<VertexId, 4> v;
-    std::array<CellId, 4> beyond;  ///< cell across each face; `none` at the boundary
+    std::array<CellId, 4> beyond;  ///< cell behind each face; `none` at the boundary
   };
 
   [[nodiscard]] Weights barycentric(CellId cell, const Vec3& x) const;

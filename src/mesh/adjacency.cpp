@@ -21,7 +21,7 @@ struct Face {
   }
 };
 
-constexpr std::size_t vertices_a_task = 1024;  // each with two dozen faces
+constexpr std::size_t vertices_a_task = 1024;  // each with about 24 faces
 
 std::array<VertexId, 3> ascending(std::array<VertexId, 3> v) {
   std::sort(v.begin(), v.end());
@@ -73,7 +73,7 @@ public:
 private:
   using Sides = std::array<FaceLink, 2>;
 
-  // Links what shares a face; where a triangle is missing the face is added to `bare`.
+  // Links the tetrahedra and triangles that share a face. If a triangle is missing, the face is added to `bare`.
   void join(std::span<const Face> group, std::vector<Sides>& bare) {
     std::size_t tets = 0;
     while (tets < group.size() && !group[tets].link.is_triangle()) ++tets;

@@ -1,4 +1,4 @@
-// From the plain arrays of the public mesh to the mesh under work, with every check at the door.
+// Builds the working mesh from the plain arrays of the public mesh, and checks them.
 #pragma once
 
 #include <vector>
@@ -10,19 +10,19 @@ namespace taut {
 
 struct Built {
   TetMesh mesh;                           ///< in Hilbert order; no patches, lines, tags or metrics yet
-  std::vector<VertexId> vertex_of_point;  ///< `none` for a point of no tetrahedron
+  std::vector<VertexId> vertex_of_point;  ///< `none` for a point that belongs to no tetrahedron
   std::vector<TriangleId> triangle_of_input;
   std::vector<TetId> tet_of_input;
   std::vector<int> region_refs;               ///< reference of each region
   std::vector<std::uint8_t> region_required;  ///< whether it holds the required tetrahedra of that reference
-  std::vector<int> triangle_refs;             ///< reference of each triangle of `mesh`; 0 for those built
-  std::size_t reoriented = 0;                 ///< inverted tetrahedra turned round
-  std::size_t triangles_built = 0;            ///< missing triangles of the boundary and between regions
+  std::vector<int> triangle_refs;             ///< reference of each triangle of `mesh`; 0 for those that were missing
+  std::size_t reoriented = 0;                 ///< inverted tetrahedra that were reoriented
+  std::size_t triangles_built = 0;            ///< missing triangles that were added on the boundary and between regions
 };
 
-/// Throws InputError naming the entity, counted from 1 as in files: an index out of range, a coordinate that is not
-/// finite, a tetrahedron that is flat or repeats a vertex, a face of three tetrahedra, a triangle that is no face or
-/// occurs twice, reference arrays of the wrong length.
+/// Throws InputError, naming the entity (counted from 1 as in files), for an index out of range, a coordinate that is
+/// not finite, a tetrahedron that is flat or repeats a vertex, a face of three tetrahedra, a triangle that is not a
+/// face or occurs twice, or reference arrays of the wrong length.
 [[nodiscard]] Built build(const Mesh& input);
 
 }  // namespace taut

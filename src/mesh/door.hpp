@@ -1,4 +1,4 @@
-// What the public mesh must fulfil to be worked on, and the words in which it is refused.
+// Checks of the public mesh, and the messages with which it is refused.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace taut {
 /// Lengths of the arrays, indices in range, finite coordinates, no repeated vertex. Throws InputError.
 void require_sound_arrays(const Mesh& input);
 
-/// Throws InputError if there are more regions than 16-bit ids.
+/// Throws InputError if there are more regions than 16-bit ids can number.
 void require_region_count(std::size_t regions);
 
 [[noreturn]] void throw_flat(std::size_t tet, const std::array<Index, 4>& v);

@@ -11,7 +11,7 @@ namespace {
 
 using Tets = std::span<const std::array<Index, 4>>;
 
-constexpr std::size_t vertices_a_task = 1024;  // each with three dozen ends to sort
+constexpr std::size_t vertices_a_task = 1024;  // each with about 36 edge ends to sort
 
 struct Bound {
   std::size_t vertices = 0;
@@ -26,8 +26,8 @@ std::size_t vertex_bound(Tets tets) {
   return sum_in_order<Bound>(tets.size(), add).vertices;
 }
 
-// Moves one of each to the front and returns these. An edge occurs about five times: marking what was seen, in a hash
-// table with linear probing, leaves a fifth to be sorted.
+// Moves one of each to the front and returns these. An edge occurs about five times. Marking seen edges in a hash table
+// with linear probing leaves only a fifth to be sorted.
 std::span<Index> distinct(std::span<Index> vertices) {
   const int bits = static_cast<int>(std::bit_width(2 * vertices.size()));
   std::vector<Index> seen(std::size_t{1} << bits, none);

@@ -10,8 +10,8 @@
 
 namespace taut {
 
-/// Every edge of `tets` once, smaller vertex first, in lexicographic order. Linear time but for sorting the few edges
-/// of each vertex.
+/// Every edge of `tets` once, smaller vertex first, in lexicographic order. Takes linear time, except for sorting the
+/// few edges of each vertex.
 [[nodiscard]] std::vector<std::array<Index, 2>> edges_of(std::span<const std::array<Index, 4>> tets);
 
 }  // namespace taut

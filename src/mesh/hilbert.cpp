@@ -50,7 +50,7 @@ struct Box {
   }
 };
 
-// Cells of a box to a unit of length in each direction.
+// Number of cells per unit of length in each direction of a box.
 Vec3 scale_of(const Box& box) {
   Vec3 scale{};
   for (int d = 0; d < 3; ++d) scale[d] = box.high[d] > box.low[d] ? ((1 << bits) - 1) / (box.high[d] - box.low[d]) : 0;

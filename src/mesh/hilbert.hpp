@@ -1,4 +1,4 @@
-// Order along a Hilbert curve: what is near in space becomes near in memory.
+// Order along a Hilbert curve: neighbours in space become neighbours in memory.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace taut {
 
-/// A permutation: the result's entry i is the index of the point that comes i-th along the Hilbert curve through the
-/// points' bounding box (each direction scaled to it). Ties keep the order of the input.
+/// A permutation: entry i of the result is the index of the i-th point along the Hilbert curve through the points'
+/// bounding box (each direction is scaled to the box). Ties keep the order of the input.
 [[nodiscard]] std::vector<std::uint32_t> hilbert_order(std::span<const Vec3> points);
 
 }  // namespace taut

@@ -6,8 +6,8 @@
 
 namespace taut {
 
-// Few parts of the tetrahedra, each with an array over the points of its own: the tetrahedra of a point may lie
-// anywhere.
+// Few parts of the tetrahedra, each with its own array over all points, because the tetrahedra of a point may be in any
+// part.
 std::vector<TetId> last_tet_of_points(std::span<const std::array<Index, 4>> tets, std::size_t points) {
   constexpr std::size_t most_parts = 16;
   const Chunks parts(tets.size(), std::max(std::size_t{1} << 14, tets.size() / most_parts + 1));

@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// The last tetrahedron of each of so many points; `none` for a point of no tetrahedron.
+/// For each point, the last tetrahedron that it belongs to; `none` if it belongs to no tetrahedron.
 [[nodiscard]] std::vector<TetId> last_tet_of_points(std::span<const std::array<Index, 4>> tets, std::size_t points);
 
 }  // namespace taut

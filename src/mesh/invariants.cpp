@@ -103,7 +103,7 @@ private:
 
   const TetMesh& mesh_;
   std::span<const int> region_refs_;  // empty: no two regions may meet
-  std::span<const TetId> among_;      // tetrahedra of which regions are compared; empty: all
+  std::span<const TetId> among_;      // tetrahedra whose regions are compared; empty: all
 };
 
 bool arrays_agree(const TetMesh& m) {

@@ -11,7 +11,7 @@
 namespace taut {
 namespace {
 
-using Order = std::span<const std::uint32_t>;  // the old ids of the living entities as they come to lie
+using Order = std::span<const std::uint32_t>;  // the old ids of the living entities, in their new order
 
 std::vector<std::uint32_t> vertex_order(const TetMesh& mesh) {
   const auto alive = indices_where(mesh.vertices.size(), [&](std::size_t v) { return mesh.tet_of_vertex[v] != none; });
@@ -29,7 +29,7 @@ std::vector<Id> inverse(Order order, std::size_t old_size) {
   return new_of_old;
 }
 
-// The living entities by smallest new vertex, otherwise as they are.
+// The living entities, sorted by smallest new vertex; ties keep their order.
 template <class Entity>
 Buckets<std::uint32_t> by_smallest_vertex(const std::vector<Entity>& entities, const std::vector<VertexId>& new_vertex,
                                           std::size_t vertex_count) {

@@ -1,4 +1,4 @@
-// Renumbering of a mesh under work.
+// Renumbering of a working mesh.
 #pragma once
 
 #include <vector>
@@ -14,8 +14,8 @@ struct Renumbering {
   std::vector<TriangleId> triangle;
 };
 
-/// Renumbers the vertices along a Hilbert curve, the tetrahedra and triangles by their smallest vertex, and drops dead
-/// entities. Locality decays as a mesh grows: a miss costs as much as a hundred operations.
+/// Renumbers the vertices along a Hilbert curve and the tetrahedra and triangles by their smallest vertex, and removes
+/// dead entities. Locality decays as a mesh grows, and a cache miss costs as much as a hundred arithmetic operations.
 Renumbering reorder(TetMesh& mesh);
 
 }  // namespace taut

@@ -28,7 +28,7 @@ Scaled scaled(double x) {
 
 using ScaledPoints = std::array<std::array<Scaled, 3>, 4>;
 
-/// Lowest exponent, and how many bits the largest coordinate has above it.
+/// The lowest exponent, and the number of bits of the largest coordinate above it.
 struct Range {
   int lowest = std::numeric_limits<int>::max();
   int highest = std::numeric_limits<int>::min();
@@ -74,7 +74,8 @@ int exact_orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d
   }
   const Range range = range_of(points);
   if (range.lowest > range.highest) return 0;  // all coordinates are zero
-  // Six products of three differences: 3 (bits + 1) + 3 bits, which nearly always fit into a type without allocation.
+  // Six products of three differences need 3 (bits + 1) + 3 bits, which almost always fit into a type without
+  // allocation.
   const bool fits = 3 * (range.highest - range.lowest + 1) + 3 < 512;
   return fits ? sign_of_determinant<int512_t>(points, range.lowest)
               : sign_of_determinant<cpp_int>(points, range.lowest);

@@ -12,7 +12,7 @@ namespace taut {
 [[nodiscard]] int exact_orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 /// The exact sign of det(b-a, c-a, d-a): 1 for a positive tetrahedron abcd, -1 for an inverted one, 0 for four coplanar
-/// points. Floating point decides where its error bound allows (Shewchuk 1997, 4.3).
+/// points. Floating point decides if its error bound allows (Shewchuk 1997, 4.3).
 [[nodiscard]] inline int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = b - a, v = c - a, w = d - a;
   const double yz = v[1] * w[2], zy = v[2] * w[1];
@@ -29,7 +29,7 @@ namespace taut {
                        std::numeric_limits<double>::min() * (1 + std::abs(u[0]) + std::abs(u[1]) + std::abs(u[2]));
   if (det > error) return 1;
   if (det < -error) return -1;
-  // Four points with one coordinate in common, as on the side of a box: no need to compute.
+  // Four points with a common coordinate, as on the side of a box, need no computation.
   for (int i = 0; i < 3; ++i) {
     if (u[i] == 0 && v[i] == 0 && w[i] == 0) return 0;
   }

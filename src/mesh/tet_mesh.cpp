@@ -9,14 +9,15 @@
 namespace taut {
 namespace {
 
-// A link packs 4 t + f beside one bit that tells triangles from tetrahedra.
+// A link packs 4 t + f and one bit that distinguishes triangles from tetrahedra.
 constexpr std::size_t most_tets = std::size_t{1} << 29;
 constexpr std::size_t most_triangles = std::size_t{1} << 30;
 constexpr std::size_t most_vertices = std::size_t{1} << 31;
 
 void require_ids(const char* what, std::size_t count, std::size_t most) {
   if (count >= most)
-    throw Failure(fmt::format("{} {} needed, expected fewer than {}: 32-bit ids cannot number them", count, what, most));
+    throw Failure(
+        fmt::format("{} {} needed, expected fewer than {}: 32-bit ids cannot number them", count, what, most));
 }
 
 // Takes `count` ids, free ones first; the others are new, counted from `size`, and need room.

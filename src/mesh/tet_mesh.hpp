@@ -1,4 +1,4 @@
-// The mesh under work: records of vertices, tetrahedra and triangles with full adjacency, and free lists.
+// The working mesh: records of vertices, tetrahedra and triangles with full adjacency, and free lists.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// Position and metric in one record: whoever reads one reads the other.
+/// Position and metric in one record, because code that reads one also reads the other.
 struct Vertex {
   Vec3 x{};
   Sym3 m{};
@@ -46,7 +46,8 @@ struct Tet {
   }
 };
 
-/// A face that is kept: of the boundary (one side) or between two tetrahedra (two). Seen from side 0 it points outward.
+/// A face that is kept: on the boundary (one side) or between two tetrahedra (two sides). Seen from side 0, it points
+/// outward.
 struct Triangle {
   std::array<VertexId, 3> v{none, none, none};
   PatchId patch{};
@@ -56,7 +57,7 @@ struct Triangle {
   [[nodiscard]] bool alive() const { return v[0] != none; }
 };
 
-/// Ids are recycled through free lists; a dead entity has `none` as its first vertex (a vertex: no tetrahedron).
+/// Ids are recycled through free lists. A dead entity has `none` as its first vertex; a dead vertex has no tetrahedron.
 class TetMesh {
 public:
   std::vector<Vertex> vertices;
@@ -110,7 +111,7 @@ public:
     return {v[k[0]], v[k[1]], v[k[2]]};
   }
 
-  /// The tetrahedron's face beyond a link, across a triangle if there is one; `outside` at the boundary.
+  /// The face of a tetrahedron behind a link, also across a triangle; `outside` at the boundary.
   [[nodiscard]] FaceLink beyond(TetId t, int f) const {
     const FaceLink link = tets[t].n[f];
     return link.is_triangle() ? other_side(link.triangle(), FaceLink::to_face(t, f)) : link;
@@ -120,7 +121,7 @@ public:
     return side[0] == from ? side[1] : side[0];
   }
 
-  /// Fills the record of a dead vertex, which becomes alive when a tetrahedron of it is known.
+  /// Fills the record of a dead vertex. It becomes alive when it gets a tetrahedron.
   void put_vertex(VertexId v, const Vertex& vertex, Tag tag, CellId host);
 
   /// All arrays of an entity at once; new ones are dead. Throws Failure beyond the id space.
@@ -139,7 +140,7 @@ public:
   void take_back(std::span<const TetId> dead);
   void take_back(std::span<const TriangleId> dead);
 
-  /// Drops the free lists; the arrays must be without dead entities.
+  /// Clears the free lists. The arrays must contain no dead entities.
   void forget_free() {
     free_vertices_.clear();
     free_tets_.clear();

@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// M = L D L^T with unit lower triangular L; all of `pivots` positive if and only if M is positive definite.
+/// M = L D L^T with unit lower triangular L. M is positive definite if and only if all `pivots` are positive.
 struct Ldl {
   Vec3 pivots;
   double l10, l20, l21;
@@ -20,14 +20,14 @@ constexpr Ldl ldl(const Sym3& m) {
   return {{m[0], d1, m[5] - l20 * m[2] - l21 * rest}, l10, l20, l21};
 }
 
-/// det M of a positive definite M. Expansion by cofactors loses (h_max/h_min)^4 units in the last place on a rotated
-/// metric, that is everything at the ratio 1e4; the pivots lose (h_max/h_min)^2, which is what six doubles can hold.
+/// det M of a positive definite M. On a rotated metric, expansion by cofactors loses (h_max/h_min)^4 units in the last
+/// place, which is everything at a ratio of 1e4. The pivots lose (h_max/h_min)^2, and six doubles cannot hold more.
 constexpr double determinant_spd(const Sym3& m) {
   const Vec3 d = ldl(m).pivots;
   return d[0] * d[1] * d[2];
 }
 
-/// False also if an entry is not finite.
+/// Also false if an entry is not finite.
 constexpr bool is_positive_definite(const Sym3& m) {
   for (const double entry : m) {
     if (!(entry - entry == 0)) return false;
@@ -36,7 +36,7 @@ constexpr bool is_positive_definite(const Sym3& m) {
   return d[0] > 0 && d[1] > 0 && d[2] > 0;
 }
 
-/// n <= bound * m in the Loewner order: no direction in which n asks for a length above sqrt(bound) times that in m.
+/// n <= bound * m in the Loewner order: in no direction is the length in n above sqrt(bound) times the length in m.
 constexpr bool is_dominated(const Sym3& n, const Sym3& m, double bound = 1) {
   const Vec3 d = ldl(bound * m + (-1.0) * n).pivots;
   return d[0] > 0 && d[1] > 0 && d[2] > 0;

@@ -26,7 +26,7 @@ void require_metric_at(std::size_t vertex, const Tensor& m) {
   if (!is_positive_definite(m)) throw_no_metric(fmt::format("vertex {}", vertex + 1), m);
 }
 
-/// Sizes so small or large that h^-2 is no positive double are refused too.
+/// Also refuses sizes so small or large that h^-2 is not a positive double.
 Sym3 tensor_of_size(double h, std::size_t vertex) {
   const Sym3 m = metric_of_size(h);
   if (!(h > 0) || !is_positive_definite(m))

@@ -1,4 +1,4 @@
-// The metric a user gives, checked at the door.
+// The metric that a user gives, with its checks.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace taut {
 
-/// The tensors of `metric` at the points of `mesh`: those given, 1/h^2 for sizes, the values of a function.
-/// Throws InputError naming the vertex if the numbers of points and values differ, a size is not positive or a tensor
-/// is not positive definite, or one is not finite.
+/// The tensors of `metric` at the points of `mesh`: the given tensors, 1/h^2 for sizes, or the values of the function.
+/// Throws InputError if the numbers of points and values differ; also, naming the vertex, if a size is not positive, a
+/// tensor is not positive definite, or either is not finite.
 [[nodiscard]] std::vector<Sym3> tensors_at(const Mesh& mesh, const Metric& metric);
 
 /// Throws InputError naming the position unless the value of a metric function there is finite and positive definite.

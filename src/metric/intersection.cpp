@@ -32,12 +32,12 @@ Vec3 multiply(const Cholesky& c, const Vec3& x) {
 /// C^-1 N C^-T.
 Sym3 reduce(const Cholesky& c, const Sym3& n) {
   const Vec3 x = solve(c, {n[0], n[1], n[2]}), y = solve(c, {n[1], n[3], n[4]}), z = solve(c, {n[2], n[4], n[5]});
-  // (x, y, z) holds C^-1 N by columns; its rows are solved likewise.
+  // (x, y, z) holds C^-1 N by columns; its rows are solved in the same way.
   const Vec3 r0 = solve(c, {x[0], y[0], z[0]}), r1 = solve(c, {x[1], y[1], z[1]}), r2 = solve(c, {x[2], y[2], z[2]});
   return {r0[0], r1[0], r2[0], r1[1], r2[1], r2[2]};
 }
 
-/// What comparing with m may be off by: its condition number times the rounding of its entries.
+/// The error of a comparison with m: its condition number times the rounding of its entries.
 double comparison_tolerance(const Sym3& m) {
   const Vec3 d = ldl(m).pivots;
   const double condition = (m[0] + m[3] + m[5]) / std::min({d[0], d[1], d[2]});

@@ -16,8 +16,8 @@ constexpr double sum_of_squared_lengths(const Vec3& p0, const Vec3& p1, const Ve
          quadratic_form(m, p2 - p1) + quadratic_form(m, p3 - p1) + quadratic_form(m, p3 - p2);
 }
 
-/// 1/Q = 72 sqrt(3) |K| sqrt(det M) / (sum over 6 edges of e^T M e)^(3/2): 1 for the element that is regular in M,
-/// towards 0 for a flat one; the sign is that of the volume.
+/// 1/Q = 72 sqrt(3) |K| sqrt(det M) / (sum over 6 edges of e^T M e)^(3/2): 1 for an element that is regular in M, 0 for
+/// a flat one; the sign is that of the volume.
 inline double shape_quality(const Vec3& p0, const Vec3& p1, const Vec3& p2, const Vec3& p3, const Sym3& m) {
   const double sum = sum_of_squared_lengths(p0, p1, p2, p3, m);
   const double six_metric_volumes = six_volumes(p0, p1, p2, p3) * std::sqrt(determinant_spd(m));
@@ -36,8 +36,8 @@ inline double mean_ratio(const Vec3& p0, const Vec3& p1, const Vec3& p2, const V
   return std::copysign(12 * root * root, root) / sum_of_squared_lengths(p0, p1, p2, p3, m);
 }
 
-/// The mean ratio in the metric of largest determinant among the four vertices, as the benchmarks of the Unstructured
-/// Grid Adaptation Working Group define it.
+/// The mean ratio in the metric with the largest determinant among the four vertices, as the benchmarks of the
+/// Unstructured Grid Adaptation Working Group define it.
 inline double mean_ratio_ugawg(const Vec3& p0, const Vec3& p1, const Vec3& p2, const Vec3& p3, const Sym3& m0,
                                const Sym3& m1, const Sym3& m2, const Sym3& m3) {
   const Sym3* largest = &m0;

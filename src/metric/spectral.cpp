@@ -7,7 +7,7 @@
 namespace taut {
 namespace {
 
-/// ln 1e13: eigenvalues further apart than this factor do not survive together in six doubles.
+/// ln 1e13: six doubles cannot hold eigenvalues that differ by more than this factor.
 constexpr double largest_spread = 29.933606208922594;
 
 /// 1/n!, n = 0..15. The first term left out is below 0.5^16/16! = 1e-18.
@@ -39,7 +39,7 @@ Sym3 exp_of_small(const Sym3& s, double p, double q) {
   return of_identity * identity3 + of_s * s + of_square * square(s);
 }
 
-/// For eigenvalues far apart: through the eigenvectors, with the spread limited.
+/// For eigenvalues far apart: computed from the eigenvectors, with a limited spread.
 Sym3 exp_by_spectrum(const Sym3& l) {
   const double lowest = spectrum(l).values[2] - largest_spread;
   return map_eigenvalues(l, [lowest](double value) { return std::exp(std::max(value, lowest)); });
@@ -72,8 +72,8 @@ Sym3 log_metric(const Sym3& m) {
   return map_eigenvalues(m, [](double value) { return std::log(value); });
 }
 
-// Scaling and squaring of the traceless part: no eigenproblem, hence no trouble with equal eigenvalues, and a tenth of
-// the time.
+// Scaling and squaring of the traceless part: there is no eigenproblem, so equal eigenvalues cause no trouble, and it
+// takes a tenth of the time.
 Sym3 exp_metric(const Sym3& l) {
   const double mean = (l[0] + l[3] + l[5]) / 3;
   Sym3 s = {l[0] - mean, l[1], l[2], l[3] - mean, l[4], l[5] - mean};

@@ -1,4 +1,4 @@
-// Functions of a symmetric tensor by its eigenvalues.
+// Functions of a symmetric tensor that are defined by its eigenvalues.
 #pragma once
 
 #include "base/sym3.hpp"
@@ -33,8 +33,8 @@ template <class F>
 [[nodiscard]] Sym3 log_metric(const Sym3& m);
 
 /// Exponential of a symmetric tensor, always positive definite: eigenvalues below 1e-13 of the largest are raised to
-/// that (sizes 3e6 apart), for the rounding of six doubles would drown them. The error is a few units in the last place
-/// of the largest entry. The same bits for the same input; a diagonal tensor stays diagonal.
+/// that (a ratio of 3e6 in size), because the rounding of six doubles would hide them. The error is a few units in the
+/// last place of the largest entry. The same input gives the same bits; a diagonal tensor stays diagonal.
 [[nodiscard]] Sym3 exp_metric(const Sym3& l);
 
 }  // namespace taut

@@ -5,7 +5,7 @@
 namespace taut {
 namespace {
 
-// Whether the edge of the shell lies on the patch or line of the vertex that is to slide along it.
+// Whether the edge of the shell lies on the patch or line of the vertex that would slide along it.
 bool along_geometry(const Kernel& k, VertexId gone) {
   const Tag tag = k.mesh.tag_of_vertex[gone];
   if (tag.is_in_volume()) return true;

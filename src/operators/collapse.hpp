@@ -1,4 +1,4 @@
-// A vertex merged into its neighbour.
+// Collapse: merges a vertex into its neighbour.
 #pragma once
 
 #include "operators/kernel.hpp"
@@ -6,12 +6,13 @@
 namespace taut {
 
 struct CollapseRules {
-  double longest_new_edge = 1.5;  ///< unless the vanishing vertex has a longer one
-  /// A new tetrahedron is too bad if its 1/Q is not above the smaller of these, the second times the worst that goes.
+  double longest_new_edge = 1.5;  ///< unless the removed vertex has a longer one
+  /// A new tetrahedron is too bad unless its 1/Q is above `worst_quality`, or above `share_of_old` times the worst 1/Q
+  /// that is removed.
   double worst_quality = 0.3, share_of_old = 0.7;
 };
 
-/// Removes one end of the edge, the first that can go. Marks the shell as tried.
+/// Removes one end of the edge, the first one that can be removed. Marks the shell as tried.
 Outcome collapse_edge(Kernel& kernel, TetId t, int edge, const CollapseRules& rules);
 
 }  // namespace taut

@@ -5,7 +5,7 @@
 namespace taut {
 namespace {
 
-// K relative to its first vertex: edges e, the rows of their inverse matrix times its determinant, and p.
+// K relative to its first vertex: its edges e, the rows of the inverse of their matrix times its determinant, and p.
 struct Frame {
   std::array<Vec3, 3> e, dual;
   double det;
@@ -21,8 +21,8 @@ Frame frame_of(const Vertex& p, const std::array<const Vertex*, 4>& k) {
   return f;
 }
 
-// delta^2 in the metric m. The circumcentre O solves 2 e_i^T M O = e_i^T M e_i: c = M O needs the inverse of the edges'
-// matrix only, which no metric enters; r^2 = c^T M^-1 c, and |Op|^2 = |d|^2 - 2 d.c + r^2.
+// delta^2 in the metric m. The circumcentre O solves 2 e_i^T M O = e_i^T M e_i. So c = M O needs only the inverse of
+// the matrix of the edges, which does not depend on the metric; r^2 = c^T M^-1 c, and |Op|^2 = |d|^2 - 2 d.c + r^2.
 inline double squared_delta(const Frame& f, double m0, double m1, double m2, double m3, double m4, double m5) {
   const auto form = [&](const Vec3& v) { return quadratic_form({m0, m1, m2, m3, m4, m5}, v); };
   const double half = 0.5 / f.det;
@@ -52,7 +52,7 @@ bool in_conflict(const Vertex& p, const std::array<const Vertex*, 4>& k) {
   alignas(32) double delta[4];
   for (int i = 0; i < 4; ++i)
     delta[i] = std::sqrt(squared_delta(f, v[0][i], v[1][i], v[2][i], v[3][i], v[4][i], v[5][i]));
-  // A negative square, from rounding at the circumcentre, gives no number: read as zero by the comparison below.
+  // A negative square, from rounding at the circumcentre, gives a NaN, which the comparison below treats as zero.
   double sum = std::sqrt(at_p > 0 ? at_p : 0);
   for (double x : delta) sum += x > 0 ? x : 0;
   return sum < 5;

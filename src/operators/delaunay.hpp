@@ -7,8 +7,9 @@
 
 namespace taut {
 
-/// Whether tetrahedron K (positive) conflicts with a point p: with delta_M(p, K) = |Op|_M / r_K, O and r_K circumcentre
-/// and radius of K in the metric M, delta_{Mp} < 1 and the sum of delta over Mp and the metrics of K's vertices < 5.
+/// Whether the positive tetrahedron K is in conflict with a point p: delta_{Mp} < 1, and the sum of delta over Mp and
+/// the metrics of K's vertices is below 5. Here delta_M(p, K) = |Op|_M / r_K, where O and r_K are the circumcentre and
+/// the radius of K in the metric M.
 [[nodiscard]] bool in_conflict(const Vertex& p, const std::array<const Vertex*, 4>& k);
 
 }  // namespace taut

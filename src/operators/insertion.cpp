@@ -7,10 +7,10 @@
 namespace taut {
 namespace {
 
-constexpr int most_repairs = 12;     // rounds of dropping tetrahedra whose faces do not see the new vertex
-constexpr int largest_cavity = 100;  // the criterion of eq. (4) rarely asks for 40
+constexpr int most_repairs = 12;     // repetitions of removing tetrahedra whose faces do not see the new vertex
+constexpr int largest_cavity = 100;  // the criterion of eq. (4) rarely gives 40
 
-// The line or patch that the edge of the shell lies on. False if it may not be split.
+// Finds the line or patch on which the edge of the shell lies. False if it may not be split.
 bool locate(const Kernel& k, Tag& tag) {
   const Shell& shell = k.shell;
   for (int i = 0; i < shell.triangle_count; ++i) {
@@ -63,7 +63,8 @@ private:
     core_ = k_.cavity.tets.size();
   }
 
-  // False if a tetrahedron that is not the block's is in conflict too. Its vertices stay where they are.
+  // False if a tetrahedron that the block does not own is also in conflict. The vertices of such a tetrahedron do not
+  // move.
   bool grow() {
     TetSet& tets = k_.cavity.tets;
     k_.spared.clear();
@@ -102,7 +103,8 @@ private:
     });
   }
 
-  // Drops tetrahedra with a face that does not see the new vertex until none is left; never those of the shell.
+  // Removes tetrahedra with a face that does not see the new vertex from the cavity, until none is left, but never
+  // those of the shell.
   Outcome make_star_shaped() {
     Cavity& cavity = k_.cavity;
     for (int repair = 0; repair < most_repairs; ++repair) {

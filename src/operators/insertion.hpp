@@ -1,4 +1,4 @@
-// A new vertex in the middle of an edge, by the anisotropic Delaunay kernel.
+// Insertion: a new vertex in the middle of an edge, by the anisotropic Delaunay kernel.
 #pragma once
 
 #include "operators/kernel.hpp"
@@ -7,13 +7,14 @@ namespace taut {
 
 struct InsertionRules {
   double shortest_new_edge = 0.7;
-  /// A new tetrahedron is too bad if its 1/Q is not above the smaller of these, the second times the worst that goes.
+  /// A new tetrahedron is too bad unless its 1/Q is above `worst_quality`, or above `share_of_old` times the worst 1/Q
+  /// that is removed.
   double worst_quality = 0.1, share_of_old = 0.5;
 };
 
-/// Splits the edge if the cavity of its middle can be re-joined (Dobrzynski and Frey 2008, section 3): the cavity grows
-/// from the shell over tetrahedra in conflict, loses those whose faces do not see the new vertex, and shrinks back to
-/// the shell if it is refused. Marks the shell as tried.
+/// Splits the edge if the cavity of its midpoint can be connected to the new vertex (Dobrzynski and Frey 2008, section
+/// 3). The cavity grows from the shell over tetrahedra in conflict, loses those whose faces do not see the new vertex,
+/// and is reduced to the shell if it is refused. Marks the shell as tried.
 Outcome insert_on_edge(Kernel& kernel, TetId t, int edge, const InsertionRules& rules);
 
 }  // namespace taut

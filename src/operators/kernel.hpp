@@ -1,4 +1,4 @@
-// What every operation needs: the mesh, what it must respect, and a worker's scratch.
+// What every operation needs: the mesh, its constraints, and the scratch data of a worker.
 #pragma once
 
 #include "cavity/cavity.hpp"
@@ -16,18 +16,18 @@ inline void note_length(Tet& tet, int edge, double length) {
   tet.state.tried.set_length(edge, length > longest_unit, length < shortest_unit);
 }
 
-/// A worker's own but for what it refers to.
+/// Each worker has its own; what it refers to is shared.
 struct Kernel {
   TetMesh& mesh;
   const Model& model;
   const Target& target;
-  Block* block = nullptr;  ///< all that may be changed, and read where others may change it
+  Block* block = nullptr;  ///< all that may be changed, and all that may be read of what others may change
 
   Cavity cavity{};
   Shell shell{};
   FaceBatch batch{};           ///< of the candidates of a swap, or the ball of a relocation
   VertexBatch neighbours{};    ///< of a vertex to be relocated
-  double efficiency_gain = 0;  ///< sum over the edges of moved vertices of what they add to the mean of eq. (2)
+  double efficiency_gain = 0;  ///< sum, over the edges of moved vertices, of what they add to the mean of eq. (2)
   SmallMap<256> spared{};      ///< tetrahedra found not to be in conflict with a new vertex
 
   [[nodiscard]] double length(VertexId a, VertexId b) const {
@@ -43,7 +43,7 @@ struct Kernel {
     return cavity.rejoin(mesh, model, *block, apex, gone, judge);
   }
 
-  /// Whether one of the tetrahedra must stay as it is.
+  /// Whether one of the tetrahedra must be kept as it is.
   [[nodiscard]] bool any_frozen(std::span<const TetId> tets) const {
     if (!model.has_frozen_region) return false;
     for (TetId t : tets)
@@ -51,7 +51,7 @@ struct Kernel {
     return false;
   }
 
-  /// Remembers on every tetrahedron of the shell that its edge was tried and refused.
+  /// Records on every tetrahedron of the shell that its edge was tried and refused.
   Outcome mark_shell(Trial kind, Outcome outcome) {
     if (outcome == Outcome::accepted || outcome == Outcome::put_off) return outcome;
     for (int i = 0; i < shell.size; ++i) mesh.tets[shell.tets[i]].state.tried.set(kind, shell.edges[i]);

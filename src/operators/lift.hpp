@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// Moves v off the face opposite to it in the worst tetrahedron of its ball, if the worst 1/Q grows by the factor
+/// Moves v away from the opposite face in the worst tetrahedron of its ball, if the worst 1/Q grows by the factor
 /// `gain`.
 Outcome lift(Kernel& kernel, VertexId v, double gain);
 

@@ -6,13 +6,13 @@
 namespace taut {
 namespace {
 
-constexpr double decent_quality = 0.35;                      // forces act on balls whose worst 1/Q is above it ..
-constexpr double decent_shortest = 0.5, decent_longest = 2;  // .. and whose edges lie between these
-constexpr double quality_kept = 0.9, least_quality = 0.25;   // what a force may cost: 1/Q of the ball's worst element
+constexpr double decent_quality = 0.35;                      // forces act on balls whose worst 1/Q is above this ..
+constexpr double decent_shortest = 0.5, decent_longest = 2;  // .. and whose edge lengths lie between these
+constexpr double quality_kept = 0.9, least_quality = 0.25;   // bounds on the loss by a force, in the ball's worst 1/Q
 constexpr double gain = 1.02;                                // of the worst 1/Q, where no force acts
 constexpr int halvings = 2;
 
-// exp(-y) for y >= 0 to 1e-5, in operations that vectorise.
+// exp(-y) for y >= 0, accurate to 1e-5, in operations that vectorise.
 inline double exp_of_minus(double y) {
   const double z = (y < 40 ? y : 40) * (1.0 / 64);
   double e = 1 - z * (1 - z * (1.0 / 2) * (1 - z * (1.0 / 3) * (1 - z * (1.0 / 4))));
@@ -43,7 +43,7 @@ public:
   }
 
 private:
-  // Only neighbours on the vertex's own patch or line pull at it.
+  // Only neighbours on the vertex's own patch or line exert a force.
   [[nodiscard]] bool pulls(VertexId u) const {
     const Tag tag = k_.mesh.tag_of_vertex[u], own = move_.tag();
     return own.is_in_volume() ||
@@ -81,7 +81,7 @@ private:
     return move_.commit(rules_.move);
   }
 
-  // The longest and the shortest edge are no worse than they were, or unit.
+  // Whether the longest and the shortest edge are no worse than before, or unit.
   [[nodiscard]] bool lengths_hold(std::span<const double> lengths) const {
     const double longest = std::max(longest_, longest_unit), shortest = std::min(shortest_, shortest_unit);
     bool hold = true;

@@ -1,4 +1,4 @@
-// The triangles that a ring of n vertices round an edge can be filled with, n = 3 to 7.
+// The triangles that can fill a ring of n vertices around an edge, n = 3 to 7.
 #pragma once
 
 #include <array>
@@ -6,8 +6,8 @@
 
 namespace taut {
 
-/// The fan from ring vertex p consists of the n - 2 triangles (p, p+i, p+i+1), modulo n. The fans of one ring share
-/// triangles, so those are listed once.
+/// The fan from ring vertex p consists of the n - 2 triangles (p, p+i, p+i+1), modulo n. The fans of a ring share
+/// triangles, so each triangle is listed once.
 struct RingTable {
   static constexpr int smallest = 3, largest = 7;
 

@@ -7,9 +7,10 @@
 namespace taut {
 namespace {
 
-constexpr double least_quality = 1e-6;  // a sliver is never worth making
+constexpr double least_quality = 1e-6;  // a sliver is never worth creating
 
-// A ring vertex may take over the shell's triangles only if it lies on their patches; a feature edge is never swapped.
+// A ring vertex can take over the triangles of the shell only if it lies on their patches. A feature edge is never
+// swapped.
 bool may_take_triangles(const Kernel& k, VertexId v) {
   for (int i = 0; i < k.shell.triangle_count; ++i)
     if (!k.model.on_patch(k.mesh.tag_of_vertex[v], k.mesh.triangles[k.shell.triangles[i]].patch)) return false;
@@ -52,7 +53,7 @@ public:
   }
 
 private:
-  // The quality of every triangle joined to both ends of the edge.
+  // The quality of every triangle connected to both ends of the edge.
   void evaluate() {
     FaceBatch& batch = k_.batch;
     const Shell& shell = k_.shell;
@@ -64,11 +65,11 @@ private:
     }
     batch.evaluate(k_.mesh.vertices[shell.a]);
     for (int i = 0; i < batch.size(); ++i) quality_[i] = batch.quality[i];
-    batch.evaluate(k_.mesh.vertices[shell.b]);  // on the other side: volumes have the other sign
+    batch.evaluate(k_.mesh.vertices[shell.b]);  // on the other side, where volumes have the other sign
     for (int i = 0; i < batch.size(); ++i) quality_[i] = std::min(quality_[i], -batch.quality[i]);
   }
 
-  // The fans above the bound, best first; of equal ones the first in the ring.
+  // The fans above the bound, best first; equal ones in the order of the ring.
   int better_fans(double bound, std::array<Fan, RingTable::largest>& fans) const {
     int count = 0;
     const int distinct = n_ == 4 ? 2 : n_ == 3 ? 1 : n_;
@@ -86,7 +87,7 @@ private:
 
   Outcome apply(const Fan& fan) {
     const VertexId p = k_.shell.ring[fan.first];
-    for (int i = 2; i + 1 < n_; ++i)  // the ring's own edges exist already, but where an open one is closed
+    for (int i = 2; i + 1 < n_; ++i)  // the edges of the ring already exist, except the one that closes an open ring
       if (k_.length(p, k_.shell.ring[(fan.first + i) % n_]) > longest_) return Outcome::long_edge;
     if (!k_.shell.closed && k_.length(k_.shell.ring[0], k_.shell.ring[n_ - 1]) > longest_) return Outcome::long_edge;
     k_.cavity.tets.assign(k_.shell_tets());
@@ -101,14 +102,14 @@ private:
   std::array<double, 28> quality_;
 };
 
-// Whether the segment from p to q passes through the inside of the face, roughly: judged before anything is gathered.
+// Whether the segment from p to q passes through the inside of the face: a rough check before anything is collected.
 bool sees_through(const TetMesh& mesh, const std::array<VertexId, 3>& face, VertexId p, VertexId q) {
   for (int i = 0; i < 3; ++i)
     if (six_volumes(mesh.x(p), mesh.x(face[i]), mesh.x(face[(i + 1) % 3]), mesh.x(q)) <= 0) return false;
   return true;
 }
 
-// Makes way for the edge through a face beyond which lies `link`, of a tetrahedron of the same block.
+// Replaces a face by an edge; `link` is behind the face and leads to a tetrahedron of the same block.
 Outcome turn_face(Kernel& kernel, TetId t, int face, FaceLink link, const SwapRules& rules) {
   TetMesh& mesh = kernel.mesh;
   const Tet &here = mesh.tets[t], &there = mesh.tets[link.tet()];

@@ -12,9 +12,9 @@ namespace taut {
 VertexMove::VertexMove(Kernel& kernel, VertexId v)
     : k_(kernel), mesh_(kernel.mesh), v_(v), old_(mesh_.vertices[v]), tag_(mesh_.tag_of_vertex[v]) {}
 
-// The ball first, then its vertices: what the walk finds is on its way from memory when it is needed.
+// Collects the ball first and then its vertices, so that memory fetched during the walk has arrived when it is needed.
 Outcome VertexMove::gather() {
-  std::array<std::array<VertexId, 4>, TetSet::capacity> faces;  // opposite to v, and the vertex not met before
+  std::array<std::array<VertexId, 4>, TetSet::capacity> faces;  // opposite to v, and the vertex that is new
   int count = 0;
   const auto visit = [&](const Tet& tet, int at, VertexId fresh) {
     const auto& corner = face_vertices[at];
@@ -90,7 +90,7 @@ void VertexMove::write(const MoveRules& rules) {
   for (int i = 0; i < k_.neighbours.size(); ++i) mesh_.state_of_vertex[k_.neighbours.id(i)].restless = true;
 }
 
-// Where an edge is not unit, or was not, the passes that split and collapse must know.
+// The passes that split and collapse must know which edges are not unit or were not.
 void VertexMove::note_lengths() {
   k_.efficiency_gain -= old_phi_;
   const auto lengths = new_lengths();

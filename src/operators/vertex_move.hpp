@@ -8,8 +8,8 @@
 namespace taut {
 
 struct MoveRules {
-  double still = 0.03;  ///< a move shorter than it, in the metric, changes nothing for the neighbours
-  double drift = 0.1;   ///< moves that add up to more than it make swaps around worth trying again
+  double still = 0.03;  ///< a move shorter than this, in the metric, does not affect the neighbours
+  double drift = 0.1;   ///< moves that add up to more than this make it worthwhile to retry the swaps around
 };
 
 /// Use: gather(); then propose() places until one pleases; commit() it.

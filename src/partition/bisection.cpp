@@ -9,9 +9,9 @@ namespace {
 constexpr std::size_t samples_per_part = 512;
 constexpr std::ptrdiff_t enough_samples = 1024;  // to choose a direction
 constexpr double golden = 0.6180339887498949;
-constexpr double sway = 0.16;  // of the share below a plane, about one half
+constexpr double sway = 0.16;  // how far the share below a plane varies around one half
 
-// Across the sides, edges and corners of a cube. Their lengths do not matter.
+// The directions to the sides, edges and corners of a cube. Their lengths do not matter.
 constexpr std::array<Vec3, 13> normals = {{{1, 0, 0},
                                            {0, 1, 0},
                                            {0, 0, 1},
@@ -26,7 +26,7 @@ constexpr std::array<Vec3, 13> normals = {{{1, 0, 0},
                                            {1, -1, 1},
                                            {-1, 1, 1}}};
 
-// Multiples of the golden ratio, modulo 1: successive ones are far apart, and no place is visited twice.
+// Multiples of the golden ratio, modulo 1: successive values are far apart, and no value occurs twice.
 double share_below(unsigned round, unsigned depth) {
   const double place = round * golden + depth * golden * golden;
   return 0.5 + sway * (2 * (place - std::floor(place)) - 1);
@@ -50,7 +50,7 @@ Bisection::Bisection(const TetMesh& mesh, std::size_t part_size, unsigned round)
   split(samples.begin(), samples.end(), parts, 0, round);
 }
 
-// Offset of the plane with a share of the samples below it.
+// Offset of the plane that has the given share of the samples below it.
 double Bisection::place(const Vec3& normal, double share, Samples begin, Samples end) {
   for (auto s = begin; s != end; ++s) s->along = dot(normal, s->x);
   const auto middle = begin + std::max<std::ptrdiff_t>(1, std::lround(share * static_cast<double>(end - begin)));
@@ -58,7 +58,7 @@ double Bisection::place(const Vec3& normal, double share, Samples begin, Samples
   return middle->along;
 }
 
-// The normal of the plane that the fewest edges cross, judged by some of the samples.
+// The normal of the plane that the fewest edges cross, estimated from some of the samples.
 Vec3 Bisection::best_normal(double share, Samples begin, Samples end) {
   const std::ptrdiff_t stride = (end - begin) / enough_samples + 1;
   std::vector<Sample> some;

@@ -1,4 +1,5 @@
-// Space parted by planes such that each part holds about as many vertices and few edges cross from part to part.
+// Planes that divide space such that all parts hold about the same number of vertices, and few edges cross between
+// parts.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +9,12 @@
 
 namespace taut {
 
-/// Recursive bisection (Berger and Bokhari 1987). Of planes in several directions, each at a given share of the
-/// vertices, the one is taken that the fewest edges cross, by the widths of the unit balls of the metric near it.
+/// Recursive bisection (Berger and Bokhari 1987). For several directions, computes the plane that has the given share
+/// of the vertices below it, and takes the plane that the fewest edges cross. The number of crossed edges is estimated
+/// from the widths of the metric's unit balls near the plane.
 class Bisection {
 public:
-  /// Parts of about `part_size` living vertices. The shares move from round to round, and so do all planes.
+  /// Parts of about `part_size` living vertices. The shares, and so all planes, are different in each round.
   Bisection(const TetMesh& mesh, std::size_t part_size, unsigned round);
 
   [[nodiscard]] std::uint32_t parts() const { return parts_; }
@@ -25,7 +27,7 @@ public:
 private:
   struct Node {
     bool is_leaf = true;
-    std::uint32_t above = 0;  ///< the node beyond the plane, the next one is this side of it; of a leaf, its part
+    std::uint32_t above = 0;  ///< the node above the plane (the next node is below it); the part, if this is a leaf
     Vec3 normal{};
     double offset = 0;
   };

@@ -1,4 +1,4 @@
-// The part of a mesh that one worker may change, on its own and without asking anybody, during a round.
+// The part of a mesh that one worker may change during a round, without synchronisation.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// How many ids a block may need. What does not get one is put off.
+/// How many ids a block may need. Operations that find no id left are put off.
 struct IdNeed {
   std::size_t vertices = 0, tets = 0, triangles = 0;
 
@@ -21,24 +21,24 @@ struct IdNeed {
   }
 };
 
-/// A block owns vertices, and the tetrahedra and triangles all of whose vertices it owns. Tetrahedra of several owners
-/// are nobody's: they stay as they are while the blocks last, and so do their vertices' places. Hence whether all
-/// tetrahedra at a vertex are the block's cannot change either.
+/// A block owns vertices, and the tetrahedra and triangles all of whose vertices it owns. A tetrahedron whose vertices
+/// have several owners belongs to no block: it does not change while the blocks exist, and its vertices do not move. So
+/// whether a block owns all tetrahedra at a vertex cannot change either.
 class Block {
 public:
   /// The whole mesh, for a single worker.
   Block() = default;
-  /// `owner` and `at_seam` hold an entry for each vertex, and outlive the block.
+  /// `owner` and `at_seam` hold one entry per vertex and must outlive the block.
   Block(std::uint32_t number, const std::vector<std::uint16_t>& owner, const std::vector<std::uint8_t>& at_seam)
       : number_(number), owner_(&owner), at_seam_(&at_seam) {}
 
   IdPool<VertexId> vertices;
   IdPool<TetId> tets;
   IdPool<TriangleId> triangles;
-  std::vector<TetId> shared_tets;  ///< of several owners, this block among them; each is listed by one block only
+  std::vector<TetId> shared_tets;  ///< with several owners, one of them this block; each is listed by only one block
 
   [[nodiscard]] bool owns(VertexId v) const { return owner_ == nullptr || (*owner_)[v] == number_; }
-  /// Whether the block owns every tetrahedron at this vertex of its own.
+  /// Whether the block owns every tetrahedron at this vertex, which it owns.
   [[nodiscard]] bool owns_ball(VertexId v) const { return at_seam_ == nullptr || (*at_seam_)[v] == 0; }
 
   void borrow(TetMesh& mesh, const IdNeed& need) {

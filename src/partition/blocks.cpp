@@ -14,9 +14,9 @@ namespace taut {
 namespace {
 
 constexpr std::uint32_t nobody = none;
-constexpr std::size_t most_blocks = std::numeric_limits<std::uint16_t>::max();  // that number itself is nobody's
+constexpr std::size_t most_blocks = std::numeric_limits<std::uint16_t>::max();  // this number itself means no block
 
-// Marks of several workers on one vertex are the same mark.
+// Several workers may mark the same vertex: they write the same value.
 void mark(std::uint8_t& flag) {
   std::atomic_ref(flag).store(1, std::memory_order_relaxed);
 }
@@ -48,7 +48,7 @@ void Blocks::assign_vertices(std::size_t block_size, unsigned round) {
   }
 }
 
-// Those of several owners are listed, as a second group, by the owner of their first vertex.
+// Tetrahedra with several owners form a second group, by the owner of their first vertex.
 void Blocks::assign_tets() {
   const auto parts = static_cast<std::uint32_t>(blocks_.size());
   std::vector<std::uint32_t> group_of(mesh_.tets.size(), nobody);
@@ -82,7 +82,7 @@ void Blocks::lend(const std::vector<IdNeed>& needs) {
   }
 }
 
-// The last first: the next first block finds what the first one leaves on top.
+// The last block comes first, so that the ids of the first block are on top for the next first block.
 void Blocks::close() {
   for (auto block = blocks_.rbegin(); block != blocks_.rend(); ++block) block->give_back(mesh_);
   blocks_.clear();

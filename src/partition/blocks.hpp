@@ -1,4 +1,4 @@
-// A mesh cut into blocks for one round, and put together again.
+// Cuts a mesh into blocks for one round, and joins it again.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@ public:
   Blocks(const Blocks&) = delete;
   Blocks& operator=(const Blocks&) = delete;
 
-  /// Cuts the mesh into blocks of about `block_size` vertices (0: a single one), otherwise in every round.
+  /// Cuts the mesh into blocks of about `block_size` vertices (0: a single block), at different places in every round.
   void cut(std::size_t block_size, unsigned round);
 
-  /// Hands the blocks ids for what they will make. Between this and close() no array grows.
+  /// Gives the blocks ids for new entities. No array grows until close().
   void lend(const std::vector<IdNeed>& needs);
 
-  /// Returns the ids that are not in use to the mesh, in the order of the blocks, which are gone then.
+  /// Returns the unused ids to the mesh, in the order of the blocks, and removes the blocks.
   void close();
 
   [[nodiscard]] std::size_t size() const { return blocks_.size(); }
@@ -38,7 +38,7 @@ private:
   TetMesh& mesh_;
   std::vector<Block> blocks_;
   std::vector<std::uint16_t> owner_;   // of each vertex
-  std::vector<std::uint8_t> at_seam_;  // of each vertex: whether it has tetrahedra of several owners
+  std::vector<std::uint8_t> at_seam_;  // of each vertex: whether one of its tetrahedra has several owners
 };
 
 }  // namespace taut

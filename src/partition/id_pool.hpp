@@ -9,13 +9,13 @@
 
 namespace taut {
 
-/// Ids that a block holds. The first `size()` are those it has used so far, dead or alive, in a fixed order; the rest
-/// wait for their first use. Ids that fall free are used again first.
+/// Ids that a block holds. The first `size()` ids are those that it has used so far, dead or alive, in a fixed order;
+/// the others have never been used. Ids that become free are used again first.
 template <class Id>
 class IdPool {
 public:
   IdPool() = default;
-  /// All of `ids`, the first `used` of which are in use.
+  /// All of `ids`; the first `used` of them are in use.
   IdPool(std::vector<Id> ids, std::size_t used) : ids_(std::move(ids)), used_(used) {}
 
   [[nodiscard]] std::size_t size() const { return used_; }
@@ -35,7 +35,7 @@ public:
   }
   void recycle(Id id) { recycled_.push_back(id); }
 
-  /// Those granted and never used.
+  /// The ids that were granted and never used.
   [[nodiscard]] std::span<const Id> unused() const { return std::span(ids_).subspan(used_); }
 
   /// More, not yet used.

@@ -123,7 +123,7 @@ struct FaceDefects {
     return *this;
   }
 
-  /// Walks faces of tetrahedra and triangles, both sorted, side by side.
+  /// Walks through the faces of tetrahedra and the triangles, both sorted, in parallel.
   void add(const Mesh& mesh, std::span<const Face> faces, std::span<const Face> triangles) {
     auto triangle = triangles.begin();
     for (auto face = faces.begin(); face != faces.end();) {
@@ -153,7 +153,7 @@ void check_faces(const Mesh& mesh, const Buckets<Face>& triangles, std::vector<s
   report("triangles that are not a face of any tetrahedron", sum.loose, found);
 }
 
-/// The later one of two entities with the same vertices counts as the duplicate.
+/// Of two entities with the same vertices, the later one counts as the duplicate.
 template <std::size_t n>
 void check_duplicates(std::string_view what, const Buckets<Named<n>>& entities, std::vector<std::string>& found) {
   const auto duplicates = sum_in_order<Places>(entities.keys(), [&](Places& places, std::size_t v) {
@@ -177,7 +177,7 @@ std::vector<std::string> defects(const Mesh& mesh) {
   check_ranges(mesh, found);
   check_references(mesh, found);
   check_coordinates(mesh, found);
-  // Nothing else can be looked at before these hold.
+  // Nothing else can be checked unless these hold.
   if (!found.empty()) return found;
   check_orientation(mesh, found);
   const Buckets<Face> triangles = named(mesh.triangles, mesh.points.size());

@@ -1,4 +1,4 @@
-// Entities by their vertices, in an order that brings equal ones together.
+// Entities named by their vertices, in an order in which equal ones are adjacent.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,8 @@
 
 namespace taut {
 
-/// An entity by its vertices in ascending order, and its index; of a face, that of what it comes from.
+/// An entity named by its vertices in ascending order, and its index; for a face, the index of its tetrahedron or
+/// triangle.
 template <std::size_t n>
 struct Named {
   std::array<Index, n> vertices;
@@ -23,8 +24,8 @@ struct Named {
 
 using Face = Named<3>;
 
-/// What name(i, put) gives to put(vertices) for each i below `count`, by the smallest vertex; those of one vertex
-/// sorted. Indices of vertices below `vertices`.
+/// What name(i, put) passes to put(vertices) for each i below `count`, by the smallest vertex, and sorted for each
+/// vertex. Indices of vertices are below `vertices`.
 template <std::size_t n, class Name>
 [[nodiscard]] Buckets<Named<n>> sorted_by_vertices(std::size_t count, std::size_t vertices, const Name& name) {
   auto buckets = gather<Named<n>>(count, vertices, [&](std::size_t i, auto put) {
@@ -42,7 +43,7 @@ template <std::size_t n>
   return sorted_by_vertices<n>(entities.size(), vertices, [&](std::size_t i, auto put) { put(entities[i]); });
 }
 
-/// All four faces of each tetrahedron; a face of two occurs twice.
+/// All four faces of each tetrahedron; a face of two tetrahedra occurs twice.
 [[nodiscard]] inline Buckets<Face> faces_of(std::span<const std::array<Index, 4>> tets, std::size_t vertices) {
   return sorted_by_vertices<3>(tets.size(), vertices, [&](std::size_t t, auto put) {
     for (const auto& [i, j, k] : face_vertices) put({tets[t][i], tets[t][j], tets[t][k]});

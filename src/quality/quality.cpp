@@ -26,7 +26,8 @@ void require_indices(const Mesh& mesh) {
   });
 }
 
-/// The interval of `bounds` that x lies in, the first or last for what lies outside (a flat element has Q infinite).
+/// The interval of `bounds` that contains x, or the first or last one if x is outside (Q of a flat element is
+/// infinite).
 template <std::size_t n>
 std::size_t interval(const std::array<double, n>& bounds, double x) {
   const auto above = std::upper_bound(bounds.begin() + 1, bounds.end() - 1, x);
@@ -83,7 +84,7 @@ struct Shape {
   double volume, complexity, Q, mean_ratio;
 };
 
-/// Volumes count without sign: orientation is for `defects` to judge. `roots` are sqrt(det M) at the vertices.
+/// Volumes are counted without sign, because `defects` checks the orientation. `roots` are sqrt(det M) at the vertices.
 Shape shape_of(const Mesh& mesh, const std::array<Index, 4>& tet, const std::vector<Sym3>& metrics,
                const std::vector<double>& roots) {
   const auto& [a, b, c, d] = tet;

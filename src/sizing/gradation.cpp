@@ -18,16 +18,17 @@ namespace {
 
 using Edge = std::array<Index, 2>;
 
-/// Relative excess of an eigenvalue that is left alone.
+/// Relative excess of an eigenvalue that is tolerated.
 constexpr double tolerance = 1e-3;
 
-/// Bound on the vertices looked at, in multiples of their number. Intersections of metrics askew to each other may come
-/// out below either size, so that no argument ends the corrections; in practice a few multiples do.
+/// Bound on the number of vertices visited, as a multiple of the vertices. Intersections of metrics in oblique
+/// directions may have smaller sizes than either metric, so there is no proof that the corrections end; in practice,
+/// they end after a few multiples.
 constexpr std::size_t largest_effort = 200;
 
-/// What p asks of q, unless q grants it already.
+/// The metric that p requires at q, unless that at q already satisfies it.
 std::optional<Sym3> demand(const Vec3& p, const Vec3& q, const Sym3& mp, const Sym3& mq, double log_beta) {
-  // Equal metrics bind each other to nothing, however badly conditioned they are.
+  // Equal metrics require nothing of each other, however badly conditioned they are.
   if (mp == mq) return {};
   const double growth = 1 + length_in(mp, q - p) * log_beta;
   const Sym3 grown = 1 / (growth * growth) * mp;
@@ -43,8 +44,8 @@ Buckets<Index> neighbours_of_vertices(std::size_t vertices, std::span<const Edge
   });
 }
 
-/// Vertices whose neighbours are to be looked at, the smallest sizes first: as in Dijkstra's shortest paths, what they
-/// ask for is final or nearly so. Ties go to the smaller id.
+/// Vertices whose neighbours must be checked, smallest sizes first: as in Dijkstra's shortest paths, what they require
+/// is final or almost final. Ties go to the smaller id.
 class Queue {
 public:
   explicit Queue(std::size_t vertices) : key_(vertices, absent) {}
@@ -56,7 +57,7 @@ public:
     heap_.push({key, v});
   }
 
-  /// `none` when empty. Entries outdated by a later push are passed over.
+  /// `none` if empty. Entries that a later push has replaced are skipped.
   Index pop() {
     while (!heap_.empty()) {
       const Entry top = heap_.top();
@@ -79,7 +80,8 @@ private:
   std::priority_queue<Entry> heap_;
 };
 
-/// Only vertices that ask something of a neighbour start: where the field is smooth, one scan of the edges is all.
+/// Starts with only the vertices that require something of a neighbour: where the field is smooth, one scan of the
+/// edges is enough.
 Queue vertices_that_ask(std::span<const Point> points, std::span<const Edge> edges, std::span<const Sym3> metrics,
                         double log_beta) {
   const auto asking = collect_in_order<Index>(Chunks(edges.size()), [&](std::vector<Index>& list, std::size_t e) {

@@ -11,8 +11,8 @@
 
 namespace taut {
 
-/// Either a function that the caller gave, or the field on the input mesh: log-Euclidean in the tetrahedron that holds
-/// the point. Averages of averages along split edges would smear a front within a few passes.
+/// Either the caller's function, or the field on the input mesh, interpolated log-Euclidean in the tetrahedron that
+/// contains the point. Averages of averages along split edges would smear a front within a few passes.
 class Target {
 public:
   /// The function's values truncated to sizes in [hmin, hmax].

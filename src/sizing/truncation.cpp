@@ -7,7 +7,7 @@
 namespace taut {
 
 Sym3 truncate(const Sym3& m, double hmin, double hmax) {
-  // Room for the rounding of the eigenvalues, so that what was truncated once stays as it is.
+  // A margin for the rounding of the eigenvalues, so that truncating twice changes nothing.
   constexpr double slack = 1e-12;
   const double lowest = 1 / (hmax * hmax), highest = 1 / (hmin * hmin);
   Spectrum s = spectrum(m);

@@ -1,4 +1,4 @@
-// What cannot be used is refused at the door, in words that name the place.
+// Input that cannot be used is refused, with a message that names the place.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -82,7 +82,7 @@ TEST(BadInput, Metrics) {
 }
 
 TEST(BadInput, AFunctionThatFailsBetweenTheVerticesIsRefusedToo) {
-  // Sound at the vertices of the input, at multiples of 1/2, and nowhere else.
+  // Valid only at the vertices of the input, which are at multiples of 1/2.
   const MetricFunction function = [](const Point& x) {
     for (const double c : x)
       if (c != 0 && c != 0.5 && c != 1) return Tensor{nan, 0, 0, 1, 0, 1};

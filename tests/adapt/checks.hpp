@@ -1,4 +1,4 @@
-// What must hold of every adaptation, whatever the mesh and the metric.
+// What must hold for every adaptation, whatever the mesh and the metric.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -93,7 +93,7 @@ inline void expect_marks_kept(const Mesh& out, const Mesh& in) {
             placed(in, in.tetrahedra, in.tetrahedron_refs, in.required_tetrahedra));
 }
 
-/// Vertices that lived on keep their references; those on required entities and corners their places.
+/// Vertices that are kept keep their references; corners and vertices of required entities keep their places.
 inline void expect_map_right(const AdaptResult& result, const Mesh& in) {
   const Mesh& out = result.mesh;
   ASSERT_EQ(result.new_of_old.size(), in.points.size());

@@ -1,4 +1,4 @@
-// The same bits, whoever does the work: on any number of threads, in debug and in release, watched or not.
+// The same bits on any number of threads, in debug and release builds, with and without a progress callback.
 #include <oneapi/tbb/task_arena.h>
 
 #include <set>
@@ -13,7 +13,7 @@ namespace {
 
 struct Case {
   const char* name;
-  std::uint64_t hash;  ///< of the result. It may change with the algorithm, on purpose only
+  std::uint64_t hash;  ///< of the result. It may change only with the algorithm, on purpose
   Mesh mesh;
   Metric metric;
   AdaptOptions options;
@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(Threads, Determinism,
                                           testing::Values(1, 2, 3, 5, 8)),
                          name_of);
 
-// Odd numbers of threads are watched. The blocks are so small that a case has several.
+// Odd numbers of threads run with a progress callback. The blocks are so small that a case has several.
 TEST_P(Determinism, SameBits) {
   run.options.max_rounds = 6;
   run.options.threads = threads;

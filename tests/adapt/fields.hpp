@@ -1,4 +1,4 @@
-// Metric fields as hard as they come, for domains within [-1, 1]^3.
+// Difficult metric fields, for domains within [-1, 1]^3.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ inline MetricFunction uniform(double size) {
   return [size](const Point&) { return metric_of_size(size); };
 }
 
-/// In each of 6^3 boxes another metric in another direction, up to 100:1; from box to box it jumps.
+/// Each of 6^3 boxes has another metric in another direction, up to 100:1, so that the metric jumps between boxes.
 inline MetricFunction patchwork(double size, unsigned seed) {
   Random random(seed);
   std::vector<Sym3> metrics;
@@ -30,7 +30,7 @@ inline MetricFunction patchwork(double size, unsigned seed) {
   };
 }
 
-/// Isotropic, but in a slab askew 100 times finer across it: the size jumps at its sides.
+/// Isotropic, except in an oblique slab, where the size across it is 100 times smaller: the size jumps at its sides.
 inline MetricFunction jump(double size) {
   return [size](const Point& x) {
     const Vec3 n = {0.6, 0.48, 0.64};
@@ -41,7 +41,7 @@ inline MetricFunction jump(double size) {
   };
 }
 
-/// A front on a sphere about the origin, with sizes across it from size / 50 to size, and size along it.
+/// A front on a sphere around the origin, with sizes from size / 50 to size across it, and size along it.
 inline MetricFunction front(double size, double radius) {
   return [=](const Point& x) {
     const double r = norm(x);

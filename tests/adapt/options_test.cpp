@@ -40,7 +40,7 @@ TEST(Adapt, AllWaysOfGivingAConstantMetricAgree) {
   const AdaptResult by_tensors = adapt(mesh, Tensors(mesh.points.size(), m));
   const AdaptResult by_function = adapt(mesh, [&](const Point&) { return m; });
   EXPECT_EQ(by_sizes.report.hash, by_tensors.report.hash);
-  // Interpolation rounds, so counts may differ by little.
+  // Interpolation rounds, so the counts may differ slightly.
   EXPECT_NEAR(
       static_cast<double>(by_function.mesh.tetrahedra.size()) / static_cast<double>(by_sizes.mesh.tetrahedra.size()), 1,
       0.15);
@@ -74,7 +74,7 @@ TEST(Adapt, GradationRefinesRoundASmallSize) {
   test::expect_faithful(with, mesh);
   EXPECT_GT(with.mesh.tetrahedra.size(), without.mesh.tetrahedra.size());
   options.gradation = 100.0;
-  EXPECT_EQ(adapt(mesh, sizes, options).report.hash, without.report.hash) << "so steep that nothing is asked";
+  EXPECT_EQ(adapt(mesh, sizes, options).report.hash, without.report.hash) << "so steep that it requires nothing";
 }
 
 TEST(Adapt, BoundsOnSizesHold) {
@@ -169,7 +169,7 @@ TEST(Adapt, TheCallbackSeesEveryPassAndItsCountsAddUp) {
   EXPECT_LE(gone, reported["collapse"] + reported["repair"]) << "some repairs are collapses";
   options.progress = {};
   const AdaptResult silent = adapt(mesh, test::uniform(0.15), options);
-  EXPECT_EQ(silent.report.hash, result.report.hash) << "looking on changes nothing";
+  EXPECT_EQ(silent.report.hash, result.report.hash) << "a callback changes nothing";
 }
 
 TEST(Adapt, CancellingGivesBackAValidMesh) {
@@ -184,7 +184,7 @@ TEST(Adapt, CancellingGivesBackAValidMesh) {
       options.progress = [&](const Progress&) { return ++calls < after; };
       const auto result = adapt(mesh, test::patchwork(0.6, 1), options);
       EXPECT_TRUE(result.report.cancelled);
-      EXPECT_EQ(calls, after) << "called again though it said no";
+      EXPECT_EQ(calls, after) << "called again although it returned false";
       test::expect_faithful(result, mesh);
       hashes.insert(result.report.hash);
     }

@@ -1,4 +1,4 @@
-// What must survive does, in whole runs: required entities, references, ridges, edges that were given.
+// Whole runs keep what they must: required entities, references, ridges, given edges.
 #include "adapt/checks.hpp"
 #include "adapt/fields.hpp"
 #include "base/ids.hpp"
@@ -80,7 +80,7 @@ TEST(Required, ATriangleBringsNoEdgesThatNobodyGave) {
 TEST(Required, RidgesAndLinesKeepTheirReferencesAndPlaces) {
   Mesh mesh = test::cube(4);
   for (Index k = 0; k < 4; ++k) mesh.edges.push_back({at(0, 0, k), at(0, 0, k + 1)});  // a ridge of the cube
-  for (Index k = 0; k < 4; ++k) mesh.edges.push_back({at(0, 2, k), at(0, 2, k + 1)});  // a line that parts a side
+  for (Index k = 0; k < 4; ++k) mesh.edges.push_back({at(0, 2, k), at(0, 2, k + 1)});  // a line that divides a side
   mesh.edge_refs = {5, 5, 5, 5, 6, 6, 6, 6};
   for (const auto& field : fields()) {
     const auto result = run(mesh, field);
@@ -113,7 +113,7 @@ TEST(Required, GivenEdgesThatNeedNotSurviveStayWhereTheyCannotMove) {
       if (result.mesh.edge_refs[e] != 0) given.push_back(e);
     EXPECT_EQ(test::placed(result.mesh, result.mesh.edges, result.mesh.edge_refs, given),
               test::placed(mesh, mesh.edges, mesh.edge_refs, {0, 1}));
-    EXPECT_TRUE(result.mesh.required_tetrahedra.empty()) << "those that were frozen for an edge were not required";
+    EXPECT_TRUE(result.mesh.required_tetrahedra.empty()) << "tetrahedra frozen because of an edge are not required";
   }
 }
 
@@ -130,7 +130,7 @@ TEST(Required, ManyRegionsAndReferencesOnFlatSides) {
 }
 
 TEST(Required, TwoPartsThatTouchInAnEdgeOrAVertex) {
-  // Surfaces at which four triangles meet in an edge, or two cones in a vertex.
+  // Surfaces in which four triangles meet at an edge, or two cones at a vertex.
   for (const bool edge : {true, false}) {
     Mesh mesh = test::restricted(test::grid(4), [&](const Vec3& c) {
       const bool low = c[0] < 0.5 && c[1] < 0.5 && (edge || c[2] < 0.5);

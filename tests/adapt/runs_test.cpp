@@ -10,7 +10,7 @@ struct Domain {
   Mesh mesh;
 };
 
-// Disturbed, and turned where all would be exact otherwise.
+// Perturbed, and rotated if all would be exact otherwise.
 std::vector<Domain> domains() {
   Mesh box = test::cube(4);
   test::jitter(box, 0.04, 1);

@@ -14,7 +14,7 @@ namespace {
 using test::with_threads;
 using Items = std::vector<std::vector<std::uint32_t>>;  // by key
 
-// Source s gives s % 3 items, the last of them to a key that all sources have in common.
+// Source s gives s % 3 items, the last of them with a key that all sources share.
 struct Sources {
   std::vector<std::uint32_t> key;
   std::size_t keys;

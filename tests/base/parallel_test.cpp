@@ -107,7 +107,7 @@ TEST(SumInOrder, HasTheSameBitsOnAnyNumberOfThreads) {
   }
   double straight = 0;
   for (std::size_t i = 0; i < count; ++i) straight += term(i);
-  EXPECT_NE(straight, expected) << "terms whose order does not matter show nothing";
+  EXPECT_NE(straight, expected) << "the order of these terms does not matter, so the test shows nothing";
   for (const int threads : thread_counts) on_threads(threads, [&] { EXPECT_EQ(sum(), expected) << threads; });
   EXPECT_EQ(sum_in_order<double>(0, [](double& s, std::size_t) { s = 1; }), 0);
 }

@@ -1,4 +1,4 @@
-// What a computation gives on so many threads.
+// The result of a computation on a given number of threads.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ auto with_threads(int threads, Compute compute) {
   return *std::move(result);
 }
 
-/// The words in which the input is refused.
+/// The message with which the input is refused.
 template <class Compute>
 std::string refusal(int threads, Compute compute) {
   try {

@@ -80,7 +80,7 @@ TEST(FaceBatch, TheSignOfAVolumeThatIsNotInDoubtIsExact) {
     ++certain_of_small;
     ASSERT_EQ(v > 0 ? 1 : -1, exact_orientation(p, a, b, c)) << i;
   }
-  EXPECT_GT(doubtful, 1000) << "the test looks away from the doubtful";
+  EXPECT_GT(doubtful, 1000) << "the test has too few doubtful cases";
   EXPECT_GT(certain_of_small, 1000);
 }
 
@@ -119,7 +119,7 @@ TEST(VertexBatch, NumbersInTheOrderOfMention) {
     EXPECT_GE(batch.add(mesh, v), 0);
   }
   EXPECT_EQ(batch.add(mesh, VertexId{124}), -1);
-  EXPECT_EQ(batch.add(mesh, VertexId{40}), 0) << "those there are still found";
+  EXPECT_EQ(batch.add(mesh, VertexId{40}), 0) << "vertices that are already there are still found";
   EXPECT_EQ(batch.size(), VertexBatch::capacity);
 }
 

@@ -7,7 +7,7 @@
 
 namespace {
 
-// One tetrahedron for each way from corner 000 to corner 111 along the axes; odd ways are turned round.
+// One tetrahedron for each path from corner 000 to corner 111 along the axes; odd paths are reversed in orientation.
 taut::Mesh cube() {
   taut::Mesh mesh;
   for (int corner = 0; corner < 8; ++corner)

@@ -56,7 +56,7 @@ void run(Call call) {
   try {
     call();
   } catch (const taut::InputError&) {
-    // The one way in which a reader may give up.
+    // The only exception that a reader may throw.
   }
 }
 

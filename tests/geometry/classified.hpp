@@ -1,4 +1,4 @@
-// A mesh with its geometry, and how to look things up in it by the numbers of the input.
+// A mesh with its geometry, and look-ups by the numbers of the input.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ struct Classified {
   explicit Classified(const Mesh& mesh, Surface surface = Surface::adapt, double ridge_angle = 45)
       : built(build(mesh)), model(classify(mesh, built, surface, ridge_angle)) {}
 
-  /// The first corner stands for all within frozen patches.
+  /// The first corner represents all corners within frozen patches.
   [[nodiscard]] Count count() const { return {model.patches.size(), model.lines.size(), model.corners.size() - 1}; }
 
   [[nodiscard]] std::size_t frozen_patches() const {
@@ -60,7 +60,7 @@ struct Classified {
   }
 };
 
-/// Turned so that no plane is across an axis.
+/// Rotated so that no plane is perpendicular to an axis.
 inline Mesh askew(Mesh mesh) {
   const Rotation r = Random(9).rotation();
   for (Point& p : mesh.points) p = rotate(r, p);

@@ -91,7 +91,7 @@ TEST(Classify, VerticesAreWhereTheirTagsSay) {
       const Vec3 x = m.x(v) + Vec3{0.1, 0.2, 0.3}, p = c.model.project(tag, x);
       EXPECT_NEAR(norm(c.model.normal(tag, x)), 1, 1e-15);
       EXPECT_NEAR(dot(c.model.normal(tag, x), p - m.x(v)), 0, 1e-15);
-      EXPECT_LT(norm(cross(c.model.normal(tag, x), p - x)), 1e-15) << "projected askew";
+      EXPECT_LT(norm(cross(c.model.normal(tag, x), p - x)), 1e-15) << "not projected orthogonally";
     }
   }
 }

@@ -31,10 +31,10 @@ TEST(Marks, CornersAndRequiredPointsStay) {
     const Classified c(mesh);
     for (const Index p : {on_line, on_side, inside}) EXPECT_EQ(c.tag(p).dimension(), 0);
     EXPECT_EQ(c.tags(), (std::array<int, 4>{11, 35, 53, 26}));
-    // What is around may still change: the corner lies on the patch and the lines on which it is.
+    // Its surroundings may still change: the corner knows its patches and lines.
     EXPECT_EQ(c.model.corners[c.tag(on_side).corner()].patches.size(), 1);
     EXPECT_EQ(c.model.corners[c.tag(on_line).corner()].patches.size(), 2);
-    EXPECT_EQ(c.model.corners[c.tag(on_line).corner()].lines.size(), 2) << "the line is parted in two";
+    EXPECT_EQ(c.model.corners[c.tag(on_line).corner()].lines.size(), 2) << "the line is divided in two";
     EXPECT_EQ(c.model.lines.size(), 13);
     EXPECT_EQ(c.frozen_patches(), 0);
   }
@@ -57,7 +57,7 @@ TEST(Marks, ARequiredRidgeIsFrozenAndTheRestOfItIsNot) {
   ASSERT_NE(line, nullptr);
   EXPECT_TRUE(line->frozen && line->required && line->sharp);
   EXPECT_EQ(line->ref, 5);
-  EXPECT_EQ(c.model.lines.size(), 14) << "parted in three";
+  EXPECT_EQ(c.model.lines.size(), 14) << "divided in three";
   EXPECT_EQ(c.tag(at(0, 0, 1)).dimension(), 0);
   EXPECT_EQ(c.tag(at(0, 0, 2)).dimension(), 0);
   EXPECT_EQ(c.tag(at(0, 0, 3)).dimension(), 1);
@@ -173,9 +173,9 @@ TEST(Marks, RequiredTrianglesAreAFrozenPatch) {
   for (int k = 0; k < 3; ++k) {
     EXPECT_EQ(c.tag(mesh.triangles[t][k]).dimension(), 0);
     ASSERT_NE(triangle.line[k], none);
-    EXPECT_TRUE(c.model.lines[triangle.line[k]].implicit) << "nobody gave this edge: it is not to be written";
+    EXPECT_TRUE(c.model.lines[triangle.line[k]].implicit) << "this edge was not given: it must not be written";
   }
-  // Every triangle required: nothing is left to change.
+  // If every triangle is required, nothing can change.
   for (Index i = 0; i < mesh.triangles.size(); ++i) mesh.required_triangles.push_back(i);
   const Classified all(mesh);
   EXPECT_EQ(all.count().patches, 6);

@@ -10,7 +10,7 @@ using Sample = std::string;
 
 const std::vector<Sample> samples = {"two_tets.mesh", "two_tets.meshb", "two_tets.sol", "two_tets.solb"};
 
-/// Whether the content is read; any exception but InputError ends the test.
+/// Whether the content is read; any exception except InputError ends the test.
 bool is_read(const Sample& sample, const std::string& content) {
   try {
     const gmf::GmfFile file = gmf::parse(sample, gmf::copy_of(content));
@@ -35,7 +35,7 @@ TEST_P(Damaged, TruncatedAnywhere) {
   ASSERT_TRUE(is_read(GetParam(), content));
   std::size_t read = 0;
   for (std::size_t size = 0; size < content.size(); ++size) read += is_read(GetParam(), content.substr(0, size));
-  // A text without its last lines may still be whole, and a binary file without its last keywords.
+  // A text without its last lines may still be complete, and so may a binary file without its last keywords.
   EXPECT_LT(read, content.size() / 4);
 }
 

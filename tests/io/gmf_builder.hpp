@@ -1,4 +1,4 @@
-// Bytes of Gamma Mesh Format files made by hand, in any version and byte order, sound or not.
+// Hand-made bytes of Gamma Mesh Format files, in any version and byte order, valid or not.
 #pragma once
 
 #include <gtest/gtest.h>

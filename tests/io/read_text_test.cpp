@@ -1,4 +1,4 @@
-// Text meshes: the freedoms that writers take, and what is refused.
+// Text meshes: the variations that writers use, and what is refused.
 #include "io/gmf_builder.hpp"
 
 namespace taut::test {

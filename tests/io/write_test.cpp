@@ -1,4 +1,4 @@
-// Writing: what comes back is what was given, and a failure leaves things as they were.
+// Writing: reading back gives what was written, and a failed write changes nothing.
 #include <sys/resource.h>
 
 #include <csignal>

@@ -1,4 +1,4 @@
-// What blocks cost in quality, on a mesh large enough for blocks of 64 thousand vertices. Built in releases only.
+// The loss of quality by blocks, on a mesh large enough for blocks of 64 thousand vertices. Built only in releases.
 #include <gtest/gtest.h>
 
 #include <cmath>

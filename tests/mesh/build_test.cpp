@@ -222,7 +222,7 @@ TEST(Build, RefusesWhatDoesNotFitTogether) {
       "triangle 49 repeats triangle 6");
 }
 
-// Many times the entities that one task looks at.
+// Many times the number of entities of one task.
 const Mesh& large() {
   static const Mesh mesh = [] {
     Mesh made = test::grid(28);

@@ -1,4 +1,4 @@
-// A mesh under work in a form that does not depend on how its entities are numbered.
+// A working mesh in a form that does not depend on the numbers of its entities.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ struct Canonical {
   bool operator==(const Canonical&) const = default;
 };
 
-/// Tetrahedra and triangles turn, evenly, to the least of their forms.
+/// Tetrahedra and triangles are permuted evenly to their least form.
 template <std::size_t n>
 std::array<Vec3, n> least_turn(const TetMesh& mesh, const std::array<VertexId, n>& v) {
   std::array<std::size_t, n> order;

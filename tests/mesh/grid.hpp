@@ -15,7 +15,8 @@ inline Mesh grid(Index n) {
     for (Index j = 0; j <= n; ++j)
       for (Index k = 0; k <= n; ++k) mesh.points.push_back({coordinate(i), coordinate(j), coordinate(k)});
   const std::array<Index, 3> stride = {(n + 1) * (n + 1), n + 1, 1};
-  // Each walk from a box's lowest to its highest corner is a tetrahedron; odd permutations are turned round.
+  // Each path from the lowest corner of a box to its highest is a tetrahedron; odd permutations are reversed in
+  // orientation.
   std::array<std::size_t, 3> axes = {0, 1, 2};
   bool even = true;
   const std::array<std::array<std::size_t, 3>, 6> walks = {

@@ -19,7 +19,8 @@ std::vector<TetId> all_tets(const TetMesh& mesh) {
   return tets;
 }
 
-// Breaks a sound mesh and looks for the words; the local check must find it too, unless it is about the dead.
+// Breaks a valid mesh and looks for the words in the message. The local check must also find the fault, unless it
+// concerns dead entities.
 template <class Break>
 void expect_found(Break damage, const std::string& words, bool locally = true) {
   TetMesh mesh = sound();
@@ -62,7 +63,7 @@ TEST(Invariants, OfLinks) {
         m.tets[face.tet()].n[face.face()] = FaceLink::to_face(other.tet(), (other.face() + 1) % 4);
       },
       "links to");
-  // Two vertices of a tetrahedron change places with the faces opposite: links hold, orientation does not.
+  // Exchanges two vertices of a tetrahedron and their opposite faces: the links hold, but the orientation does not.
   expect_found(
       [](TetMesh& m) {
         std::swap(m.tets[3].v[0], m.tets[3].v[1]);
@@ -70,7 +71,7 @@ TEST(Invariants, OfLinks) {
       },
       "");
   expect_found(
-      [](TetMesh& m) {  // turned evenly without its links
+      [](TetMesh& m) {  // permuted evenly, without its links
         auto& v = m.tets[inner_face(m).tet()].v;
         v = {v[1], v[2], v[0], v[3]};
       },

@@ -1,4 +1,4 @@
-// A mesh under work with a metric, for what needs no surface.
+// A working mesh with a metric, for tests that need no surface.
 #pragma once
 
 #include "mesh/build.hpp"
@@ -7,8 +7,8 @@
 
 namespace taut::test {
 
-/// The unit cube of n^3 boxes, stretched to the extent and disturbed, its surface too: hardly two coordinates are
-/// equal. One metric everywhere.
+/// The unit cube of n^3 boxes, stretched to the extent and perturbed, also on its surface, so that hardly any
+/// coordinates are equal. The metric is constant.
 inline TetMesh metric_grid(Index n, const Sym3& metric, const Vec3& extent = {1, 1, 1}) {
   Mesh input = grid(n);
   Random random(1);

@@ -60,7 +60,7 @@ void wear(TetMesh& mesh) {
     block.remove_triangle(mesh, block.triangles.take());
   });
   const auto last = static_cast<TetId>(mesh.tets.size() - 2), behind = static_cast<TetId>(last + 1);
-  // The last living tetrahedron changes places with the dead one behind it.
+  // Exchanges the last living tetrahedron and the dead one behind it.
   std::swap(mesh.tets[last], mesh.tets[behind]);
   std::swap(mesh.region_of_tet[last], mesh.region_of_tet[behind]);
   for (TetId& t : mesh.tet_of_vertex) t = t == last ? behind : t;
@@ -106,7 +106,7 @@ TEST(Reorder, KeepsTheMeshAndDropsTheDead) {
   }
 }
 
-// Every other tetrahedron gone, as far as reorder() is concerned.
+// Every second tetrahedron is dead, as far as reorder() is concerned.
 TetMesh with_gaps() {
   TetMesh mesh = build(test::grid(28)).mesh;
   for (std::size_t t = 0; t < mesh.tets.size(); t += 2) mesh.tets[t].v[0] = none;

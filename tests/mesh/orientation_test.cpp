@@ -39,7 +39,7 @@ TEST(Orientation, OfPlainTetrahedra) {
 }
 
 TEST(Orientation, OnAGridOfUlps) {
-  // About a point of the plane x = y, in steps of one unit in the last place: zero on the diagonal only.
+  // Around a point of the plane x = y, in steps of one unit in the last place: zero only on the diagonal.
   for (int i = -8; i <= 8; ++i) {
     for (int j = -8; j <= 8; ++j) {
       const Vec3 a = {0.5 + i * 0x1p-53, 0.5 + j * 0x1p-53, 0.3};
@@ -50,7 +50,7 @@ TEST(Orientation, OnAGridOfUlps) {
 }
 
 TEST(Orientation, OfMidpointsOnAPlane) {
-  // The sums of corners of a cell lie exactly on it or miss it by rounding only.
+  // The sums of corners of a cell lie exactly on it, or miss it only by rounding.
   std::mt19937_64 generator(1);
   std::uniform_real_distribution<double> uniform(-1, 1);
   const auto point = [&] { return Vec3{uniform(generator), uniform(generator), uniform(generator)}; };

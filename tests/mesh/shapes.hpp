@@ -64,7 +64,7 @@ inline void add_triangles(Mesh& mesh) {
   }
 }
 
-/// Keeps the tetrahedra whose centre satisfies the condition, and drops the points that are left over.
+/// Keeps the tetrahedra whose centre satisfies the condition, and removes unused points.
 inline Mesh restricted(const Mesh& mesh, const std::function<bool(const Vec3&)>& keep) {
   Mesh kept;
   std::map<Index, Index> renumber;
@@ -103,7 +103,8 @@ inline Mesh l_shape(Index n) {
   return mesh;
 }
 
-/// The unit cube, slit along z = 1/2: both halves have points of their own there, but for one, `pin`, in the middle.
+/// The unit cube, slit along z = 1/2: both halves have their own points there, except one common point, `pin`, in the
+/// middle.
 inline Mesh slit(Index& pin) {
   Mesh mesh = grid(4);
   std::map<Index, Index> twins;
@@ -133,13 +134,13 @@ inline void jitter(Mesh& mesh, double amount, unsigned seed) {
       if (x != 0 && x != 0.5 && x != 1) x += shift(generator);
 }
 
-/// From the unit cube one under a vault: the top at z = 1 + sin(pi x) / 4 is curved, the other sides are planar.
+/// Maps the unit cube to one with a vault: the top at z = 1 + sin(pi x) / 4 is curved, the other sides are planar.
 inline Mesh vault(Mesh mesh) {
   for (Point& p : mesh.points) p[2] *= 1 + 0.25 * std::sin(3.14159265358979 * p[0]);
   return mesh;
 }
 
-/// From the unit cube the unit ball about the origin, its surface all of reference 1.
+/// Maps the unit cube to the unit ball around the origin, with a surface of reference 1.
 inline Mesh ball(Mesh mesh) {
   for (Point& p : mesh.points) {
     const Vec3 c = 2.0 * p - Vec3{1, 1, 1};
@@ -153,8 +154,8 @@ inline Mesh ball(Mesh mesh) {
   return mesh;
 }
 
-/// n tetrahedra round the edge from point 0 to point 1, which run along z from -height to height; the others form a
-/// ring about the axis, at the given radii and elevations. An open ring is the half at y >= 0.
+/// n tetrahedra around the edge from point 0 to point 1, which runs along z from -height to height. The other points
+/// form a ring around the axis, at the given radii and elevations. An open ring is the half at y >= 0.
 inline Mesh ring(const std::vector<double>& radius, const std::vector<double>& elevation, double height, bool closed) {
   Mesh mesh;
   mesh.points = {{0, 0, -height}, {0, 0, height}};

@@ -38,7 +38,7 @@ TEST(ShapeQuality, IsOneForTheTetrahedronRegularInTheMetric) {
   Random random(1);
   for (int i = 0; i < 200; ++i) {
     const Sym3 m = random.metric(1e-3);
-    // M^(-1/2) maps what is regular to what is regular in M.
+    // M^(-1/2) maps regular tetrahedra to tetrahedra that are regular in M.
     const Sym3 root = map_eigenvalues(m, [](double lambda) { return 1 / std::sqrt(lambda); });
     Tet t = regular;
     for (Vec3& p : t) p = root * p;

@@ -12,7 +12,7 @@ namespace {
 using test::distance;
 using test::Random;
 
-/// What six doubles keep of a size when the sizes are `ratio` apart.
+/// The relative accuracy of a size in six doubles, if the sizes have this ratio.
 double size_tolerance(double ratio) {
   return 1e-13 + 4e-16 * ratio * ratio;
 }

@@ -1,4 +1,4 @@
-// Operations in a part of a mesh: what they leave alone, and that parts do not know of each other.
+// Operations in a part of a mesh: what they do not change, and that parts do not depend on each other.
 #include "partition/block.hpp"
 
 #include <functional>
@@ -30,7 +30,7 @@ Mesh domain() {
   return mesh;
 }
 
-// A domain whose mesh is handed to blocks.
+// A domain whose mesh is divided into blocks.
 struct CutBench {
   explicit CutBench(unsigned round, const IdNeed& need = plenty) { cut(round, need); }
 
@@ -46,7 +46,8 @@ struct CutBench {
   Blocks blocks{(bench.block.give_back(mesh), mesh)};
 };
 
-// An operation, and on what of a block: edges or faces of tetrahedra, tetrahedra, or vertices.
+// An operation, and the kind of entity of a block that it works on: edges or faces of tetrahedra, tetrahedra, or
+// vertices.
 struct Kind {
   const char* name;
   int parts;  // of a tetrahedron; 0: of vertices
@@ -63,7 +64,7 @@ constexpr std::array<Kind, 6> kinds = {{
      [](Kernel& k, std::uint32_t t, int e) {
        return swap_edge(k, TetId{t}, e, {.good_enough = 1, .longest_new_edge = 9});
      }},
-    {"face_swap", 4,  // for worse too: hardly any gains
+    {"face_swap", 4,  // also for the worse, because hardly any gains
      [](Kernel& k, std::uint32_t t, int f) {
        return swap_face(k, TetId{t}, f, {.good_enough = 1, .gain = 0.1, .longest_new_edge = 9});
      }},
@@ -71,7 +72,8 @@ constexpr std::array<Kind, 6> kinds = {{
     {"relocation", 0, [](Kernel& k, std::uint32_t v, int) { return relocate(k, VertexId{v}, {}); }},
 }};
 
-// Calls attempt(id, part) for all that the block has at the beginning and that is there when its turn comes.
+// Calls attempt(id, part) for all entities that the block has at the beginning and that still exist when their turn
+// comes.
 template <class Attempt>
 void for_each_attempt(const Kind& kind, const TetMesh& mesh, const Block& block, Attempt attempt) {
   const bool of_vertices = kind.parts == 0;
@@ -97,7 +99,7 @@ bool owns(const Block& block, const Tet& tet) {
   return std::ranges::all_of(tet.v, [&](VertexId v) { return block.owns(v); });
 }
 
-// All that a mesh consists of, notes and what dead entities were included.
+// All data of a mesh, including the records of tries and the contents of dead entities.
 using Bits = std::vector<std::string>;
 
 Bits bits_of(const TetMesh& mesh) {
@@ -158,9 +160,9 @@ TEST_P(InABlock, ChangesNothingWhenRefusedAndMarksNothingWhenPutOff) {
       if (outcome == Outcome::accepted) return;
       EXPECT_TRUE(test::Snapshot(cut.mesh) == before) << test::Attempts::name(outcome);
       EXPECT_TRUE(cut.blocks.tet_count() == tets && cut.blocks.vertex_count() == vertices) << "ids were taken";
-      // Repair notes which of the edges that it tries were refused for good.
+      // Repair records which of the edges that it tries were refused for good.
       const bool is_silent = outcome == Outcome::put_off && kind.run != kinds[4].run;
-      EXPECT_TRUE(!is_silent || bits_of(cut.mesh) == bits) << "marked, though put off";
+      EXPECT_TRUE(!is_silent || bits_of(cut.mesh) == bits) << "marked, although put off";
     });
   }
   EXPECT_GT(count[Outcome::accepted], 3);
@@ -188,7 +190,7 @@ TEST_P(InABlock, IsRefusedForGoodOnlyIfTheWholeMeshRefusesIt) {
   EXPECT_GT(refused, 5);
 }
 
-// What blocks share, as it must stay: tetrahedra but for what lies beyond their faces, and the vertices at them.
+// What blocks share and must not change: tetrahedra, except the links of their faces, and their vertices.
 struct Seams {
   explicit Seams(CutBench& cut) {
     for (std::size_t b = 0; b < cut.blocks.size(); ++b)
@@ -240,7 +242,7 @@ TEST_P(InABlock, LeavesTheSeamsAlone) {
   }
 }
 
-// Calls work(block, kind) for all of them, in an order of its own.
+// Calls work(block, kind) for all blocks and kinds, in its own order.
 using Work = std::function<void(std::size_t block, std::size_t kind)>;
 using Schedule = void (*)(std::size_t blocks, const Work& work);
 
@@ -298,7 +300,7 @@ struct Adapted {
   bool operator==(const Adapted&) const = default;
 };
 
-// What three rounds, cut otherwise each, make of the mesh.
+// The mesh after three rounds, each with another cut.
 Adapted adapted(Schedule schedule, bool one_kernel) {
   CutBench cut(0);
   for (unsigned round = 0; round < 3; ++round) {
@@ -341,7 +343,7 @@ TEST(Insertion, IsPutOffWithoutIds) {
     const Bits bits = bits_of(bench.mesh);
     const Outcome outcome = insert_on_edge(bench.kernel, t, e, {});
     EXPECT_TRUE(outcome == Outcome::accepted || test::Snapshot(bench.mesh) == before);
-    EXPECT_TRUE(outcome != Outcome::put_off || bits_of(bench.mesh) == bits) << "marked, though put off";
+    EXPECT_TRUE(outcome != Outcome::put_off || bits_of(bench.mesh) == bits) << "marked, although put off";
     return outcome;
   };
   const test::Conserved conserved = test::conserved_by(bench);
@@ -369,7 +371,7 @@ TEST(Insertion, IsPutOffWithoutIds) {
   EXPECT_GT(at_surface, 10);
 }
 
-// Swaps that take more tetrahedra than go: of a face, or of an edge with a large shell.
+// Swaps that create more tetrahedra than they remove: of a face, or of an edge with a large shell.
 void expect_put_off_without_ids(const Kind& kind) {
   int put_off = 0, marked = 0;
   unsigned seed = 0;

@@ -12,7 +12,7 @@ using test::Workbench;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 const CollapseRules anything_goes = {.longest_new_edge = infinity, .worst_quality = 1e-3, .share_of_old = 0};
 
-// Which of the two vertices went; the other one stays.
+// Which of the two vertices was removed; the other one is kept.
 struct Merge {
   VertexId gone, kept;
 };
@@ -64,7 +64,8 @@ TEST(Collapse, OfDisturbedDomains) {
 }
 
 TEST(Collapse, CoarsensACubeAsFarAsItsGeometryAllows) {
-  // Swept until nothing goes, nothing is left on the lines: every edge of the cube is one edge of the mesh.
+  // After repeating until nothing can be removed, no vertex is left on the lines: every edge of the cube is one edge of
+  // the mesh.
   const Mesh input = test::cube(4);
   Workbench bench(input, Sizes(input.points.size(), 1.0));
   Attempts trial(bench);
@@ -124,7 +125,7 @@ TEST(Collapse, HoldsToItsRules) {
   EXPECT_GT(trial.count[Outcome::quality], 5);
 }
 
-// The vertices of these points after everything that may go has gone.
+// The vertices of these points after removing all that can be removed.
 std::vector<bool> survive(const Mesh& input, const std::vector<Index>& points) {
   Workbench bench(input, Sizes(input.points.size(), 10.0));
   Attempts trial(bench);

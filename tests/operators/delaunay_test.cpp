@@ -17,7 +17,7 @@ Eigen::Matrix3d matrix(const Sym3& m) {
   return a;
 }
 
-// |Op| / r after space was transformed by M^(1/2), in which M is the identity.
+// |Op| / r after transforming space by M^(1/2), so that M becomes the identity.
 double delta(const Vec3& p, const std::array<Vec3, 4>& k, const Sym3& m) {
   const Eigen::Matrix3d root = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix(m)).operatorSqrt();
   const auto at = [&](const Vec3& x) { return Eigen::Vector3d(root * Eigen::Map<const Eigen::Vector3d>(x.data())); };

@@ -24,7 +24,7 @@ void expect_in_the_middle(const Workbench& bench, VertexId a, VertexId b, Vertex
   EXPECT_FALSE(is_edge(mesh, a, b));
 }
 
-// The place on the geometry that the middle of an edge has, found from all triangles.
+// Where the middle of an edge lies on the geometry, found from all triangles.
 Tag tag_of_edge(const TetMesh& mesh, VertexId a, VertexId b) {
   Tag tag;
   for (const Triangle& t : mesh.triangles) {
@@ -117,7 +117,7 @@ TEST(Insertion, MakesNothingWorseThanItsRulesAllow) {
   EXPECT_GT(accepted, 20);
 }
 
-// The edge of the input in the mesh under work: a tetrahedron and its number there.
+// An edge of the input in the working mesh: a tetrahedron, and the edge's number in it.
 std::pair<TetId, int> find_edge(const TetMesh& mesh, Index p, Index q) {
   for (TetId t : test::living_tets(mesh))
     for (int e = 0; e < 6; ++e) {

@@ -15,7 +15,7 @@ double worst_at(const TetMesh& mesh, VertexId v) {
   return worst;
 }
 
-// Everything but one vertex, its tetrahedra's qualities and what follows from them.
+// Everything except one vertex, the qualities of its tetrahedra and what follows from them.
 void expect_only_moved(const TetMesh& mesh, const test::Snapshot& before, VertexId moved) {
   for (VertexId v : test::living_vertices(mesh)) {
     EXPECT_TRUE(v == moved || mesh.x(v) == before.mesh.vertices[v].x) << v << " while moving " << moved;
@@ -44,7 +44,7 @@ std::array<int, 4> relocate_everything(const Mesh& input, const Metric& metric, 
         EXPECT_EQ(bench.mesh.state_of_vertex[v].restless, 0);
         continue;
       }
-      moved[dimension] += bench.mesh.x(v) != before.mesh.vertices[v].x ? 1 : 0;  // not where forces are in balance
+      moved[dimension] += bench.mesh.x(v) != before.mesh.vertices[v].x ? 1 : 0;  // not if the forces are in balance
       expect_only_moved(bench.mesh, before, v);
       EXPECT_GT(worst_at(bench.mesh, v), 0.85 * old_worst);
       CellId host = bench.mesh.host_of_vertex[v];
@@ -86,7 +86,7 @@ TEST(Relocation, SmoothsADisturbedGrid) {
 }
 
 TEST(Relocation, BringsAVertexToWhereItsEdgesAreUnit) {
-  // The centre of a regular octahedron, off its place: its six edges want to be equal.
+  // The displaced centre of a regular octahedron: the forces make its six edges equal.
   Mesh input;
   input.points = {{0.2, -0.1, 0.15}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   for (const Index a : {1U, 2U})

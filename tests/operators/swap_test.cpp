@@ -25,7 +25,7 @@ std::pair<TetId, int> axis_of(const TetMesh& mesh) {
   return {};
 }
 
-// The worst 1/Q of the fan from ring vertex p, joined to both ends, by the definition.
+// The worst 1/Q of the fan from ring vertex p, connected to both ends, from the definition.
 double worst_of_fan(const Mesh& mesh, const Tensors& metric, int n, int p) {
   double worst = 1;
   for (int i = 1; i + 1 < n; ++i) {
@@ -60,7 +60,7 @@ RingCase random_ring(Random& random, int n, bool closed) {
     c.old_worst =
         std::min(c.old_worst, shape_quality(x[t[0]], x[t[1]], x[t[2]], x[t[3]], m[t[0]], m[t[1]], m[t[2]], m[t[3]]));
   }
-  // Of an open ring only the ends lie on the surface and so may take its triangles.
+  // Only the ends of an open ring lie on the surface and so can take over its triangles.
   for (int p = 0; p < n; p += closed ? 1 : n - 1)
     c.best_new = std::max(c.best_new, worst_of_fan(c.mesh, c.metric, n, p));
   return c;
@@ -85,7 +85,7 @@ std::map<Outcome, int> swap_rings(int n, bool closed, Surface surface) {
     ++count[outcome];
     if (outcome == Outcome::accepted) {
       EXPECT_EQ(test::living_tets(bench.mesh).size(), static_cast<std::size_t>(2 * (n - 2)));
-      EXPECT_NEAR(worst_of(bench.mesh), c.best_new, 1e-9) << "not the best fan was taken";
+      EXPECT_NEAR(worst_of(bench.mesh), c.best_new, 1e-9) << "another fan than the best one was taken";
     } else {
       EXPECT_LT(c.best_new, c.old_worst * 1.001 + 1e-6) << Attempts::name(outcome);
     }
@@ -245,7 +245,8 @@ TEST(SwapFace, InDisturbedDomains) {
         const test::Snapshot before(bench.mesh);
         const Outcome outcome = trial([&] { return swap_face(bench.kernel, t, f, anything_better); });
         EXPECT_FALSE(at_triangle && outcome != Outcome::no_candidate);
-        // At the boundary of a plane askew, up to rounding, two tetrahedra become two, and so do their triangles.
+        // On the boundary in an oblique plane, up to rounding, two tetrahedra become two others, and so do their
+        // triangles.
         const std::size_t more = test::living_tets(bench.mesh).size() - before.living[1];
         EXPECT_TRUE(outcome == Outcome::accepted ? more <= 1 : more == 0);
         EXPECT_EQ(test::living_triangle_count(bench.mesh), before.living[2]);
@@ -257,7 +258,7 @@ TEST(SwapFace, InDisturbedDomains) {
 }
 
 TEST(Swaps, LeaveTheRequiredAlone) {
-  // Nothing of a mesh of required tetrahedra may change, nor a tetrahedron beside others.
+  // Nothing may change in a mesh of required tetrahedra, nor a required tetrahedron among others.
   Mesh input = test::disturbed_domains()[0];
   for (Index t = 0; t < input.tetrahedra.size(); t += 3) input.required_tetrahedra.push_back(t);
   Workbench bench(input, test::random_field(input, 0.5, 1));

@@ -1,4 +1,4 @@
-// A mesh ready for operations, and what every one of them must leave as it was.
+// A mesh ready for operations, and what no operation may change.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ public:
   Block block;  // the whole mesh
   Kernel kernel{mesh, model, target, &block};
 
-  /// Returns the ids not in use, so that the mesh can be inspected, and borrows new ones.
+  /// Returns the unused ids, so that the mesh can be inspected, and borrows new ones.
   template <class Inspection>
   void settled(Inspection inspect) {
     block.give_back(mesh);
@@ -62,7 +62,7 @@ private:
   static constexpr IdNeed ids{.vertices = 20, .tets = 200, .triangles = 40};
 };
 
-/// What is alive of a mesh from which ids are borrowed.
+/// The living entities of a mesh from which ids are borrowed.
 inline std::vector<VertexId> living_vertices(const TetMesh& mesh) {
   std::vector<VertexId> living;
   for (const VertexId v : ids<VertexId>(mesh.vertices.size()))
@@ -210,7 +210,7 @@ inline void expect_sound(Workbench& bench, const Conserved& before) {
     ASSERT_NEAR(bench.mesh.tets[t].state.quality, quality_of(bench.mesh, t), 1e-6);
 }
 
-/// Does an operation; if it is refused nothing may have changed, if it is accepted all stays sound.
+/// Does an operation. If it is refused, nothing may have changed; if it is accepted, all invariants must hold.
 class Attempts {
 public:
   explicit Attempts(Workbench& bench) : bench_(bench), conserved_(conserved_by(bench)) {}
@@ -224,7 +224,8 @@ public:
     if (outcome == Outcome::accepted)
       expect_sound(bench_, conserved_);
     else
-      EXPECT_TRUE(Snapshot(bench_.mesh) == before && ids_left() == ids) << "changed, though refused: " << name(outcome);
+      EXPECT_TRUE(Snapshot(bench_.mesh) == before && ids_left() == ids)
+          << "changed, although refused: " << name(outcome);
     return outcome;
   }
 
@@ -245,7 +246,7 @@ private:
   Conserved conserved_;
 };
 
-/// Calls visit(t, edge) for every edge of every tetrahedron that is there when its turn comes.
+/// Calls visit(t, edge) for every edge of every tetrahedron that exists when its turn comes.
 template <class Visit>
 void for_each_tet_edge(const TetMesh& mesh, Visit visit) {
   for (const TetId t : mesh.tet_ids())
@@ -253,7 +254,7 @@ void for_each_tet_edge(const TetMesh& mesh, Visit visit) {
       if (!testing::Test::HasFatalFailure()) visit(t, e);
 }
 
-/// A cube, a cube turned, two regions, a domain that is not convex, and one with a curved side; all disturbed.
+/// A cube, a rotated cube, two regions, a domain that is not convex, and one with a curved side; all perturbed.
 inline std::vector<Mesh> disturbed_domains() {
   std::vector<Mesh> meshes = {cube(3), two_regions(4), l_shape(4), cube(3), cube(4)};
   for (unsigned i = 0; i < 5; ++i) jitter(meshes[i], i == 3 ? 0.07 : 0.05, i);

@@ -92,7 +92,7 @@ TEST(Bisection, LeavesHardlyATetrahedronAtASeamForLong) {
   EXPECT_LT(std::ranges::count(was_inside, false), 0.01 * static_cast<double>(mesh.tets.size()));
 }
 
-// Whether one can go from part to part along a line inside the box [0, extent].
+// Whether a line inside the box [0, extent] leads from part to part.
 bool parts_along(const Bisection& bisection, const Vec3& direction, const Vec3& extent) {
   test::Random random(3);
   const auto inside = [&](const Vec3& x) {
@@ -123,7 +123,7 @@ TEST(Bisection, CutsAcrossTheDirectionInWhichUnitEdgesAreShortest) {
 }
 
 TEST(Bisection, IsNotMisledByTheLongestExtent) {
-  // A bar along x, whose unit edges are as long as it is: planes across it would cut all of them.
+  // A bar along x with unit edges as long as the bar: planes across it would cut all of them.
   const TetMesh mesh = test::metric_grid(8, {0.01, 0, 0, 400, 0, 400}, {10, 1, 1});
   for (unsigned round = 0; round < rounds; ++round) {
     const Bisection bisection(mesh, 90, round);

@@ -1,11 +1,11 @@
-// Changes by hand to a mesh under work.
+// Manual changes to a working mesh.
 #pragma once
 
 #include "partition/block.hpp"
 
 namespace taut::test {
 
-/// Calls change(block), the whole mesh being one block with a few ids to spare.
+/// Calls change(block) with the whole mesh as one block, which has a few spare ids.
 template <class Change>
 void change_whole(TetMesh& mesh, Change change) {
   Block block;

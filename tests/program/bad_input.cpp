@@ -102,7 +102,7 @@ TEST_F(Missing, Files) {
 
 using Outputs = ProgramTest;
 
-// The input is missing too: that the output is named shows that it was looked at first.
+// The input is missing too: naming the output shows that it was checked first.
 TEST_F(Outputs, AreCheckedBeforeAnyWork) {
   const auto refused = [&](const Words& more, const std::string& file) {
     Words words = {"adapt", "no.mesh", "--size", "1"};

@@ -1,4 +1,4 @@
-// Runs the program in an empty folder of its own and looks at all that it does.
+// Runs the program in its own empty folder and checks everything that it does.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -24,17 +24,17 @@ protected:
   ProgramTest();
   ~ProgramTest() override;
 
-  /// Runs it to its end with its output in files, which are no terminals.
+  /// Runs the program to its end, with its output in files, which are not terminals.
   Outcome run(const Words& words);
 
-  /// Starts it with `terminal` as its standard error.
+  /// Starts the program with `terminal` as its standard error.
   pid_t start(const Words& words, const std::string& terminal);
   Outcome finish(pid_t process);
 
   /// The program ends with `status`, says why on one line that contains all of `parts`, and changes no file.
   void expect_error(const Words& words, int status, const std::vector<std::string>& parts);
 
-  /// The program does it, with nothing on standard error.
+  /// The program succeeds, with nothing on standard error.
   Outcome expect_done(const Words& words);
 
   static void write(const std::string& file, std::string_view text);

@@ -29,13 +29,13 @@ public:
 
   [[nodiscard]] std::string name() const { return ptsname(master_); }
 
-  /// Text that has come since; empty once the program is gone and this end was hung up.
+  /// The text since the last call; empty when the program has ended and hang_up() was called.
   std::string wait_for_text() {
     std::array<char, 4096> text{};
     const ssize_t size = ::read(master_, text.data(), text.size());
     return size > 0 ? std::string(text.data(), static_cast<std::size_t>(size)) : std::string();
   }
-  /// Without it reading would wait for ever after the program's end.
+  /// Otherwise reading would wait forever after the end of the program.
   void hang_up() {
     if (slave_ >= 0) close(slave_);
     slave_ = -1;

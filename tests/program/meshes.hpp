@@ -19,7 +19,7 @@ extern const std::string two_tets;
 /// The unit cube as n^3 boxes with all its boundary triangles.
 [[nodiscard]] Mesh cube(Index n);
 
-/// `text` with the one place where `old` stands changed.
+/// `text` with `old`, which occurs once, replaced by `now`.
 [[nodiscard]] std::string changed(std::string text, std::string_view old, std::string_view now);
 
 }  // namespace taut::test

@@ -1,4 +1,4 @@
-// The words of the command line: help, the version, and what makes no sense.
+// The command line: help, the version, and words that make no sense.
 #include "program/fixture.hpp"
 #include "program/meshes.hpp"
 #include "taut/version.hpp"

@@ -64,7 +64,7 @@ TEST(Gradation, OfASmallSizeInALargeField) {
   const auto graded = gradate(s.mesh.points, s.edges, metrics, beta);
   expect_bound_holds(s, graded, beta);
   EXPECT_EQ(graded[0], metrics[0]);
-  // Where sizes are isotropic the rule is h_q <= h_p + |pq| ln beta: along an axis of the grid, a straight line.
+  // For isotropic sizes the rule is h_q <= h_p + |pq| ln beta, a straight line along an axis of the grid.
   for (Index k = 0; k <= 8; ++k) {
     const double h = 1 / std::sqrt(graded[k][0]);
     EXPECT_NEAR(h, 0.01 + k / 8.0 * std::log(beta), 1e-3 * h);

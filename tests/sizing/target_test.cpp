@@ -87,7 +87,7 @@ TEST(Target, ReproducesFieldsThatAreLinearInTheLogarithm) {
     const LogLinear field(random);
     const TetMesh mesh = with_metric(disturbed(input), field);
     const Field target(mesh);
-    CellId host{0};  // wherever the last one was: all over these domains, which are convex
+    CellId host{0};  // the place of the last point, anywhere in these domains, which are convex
     for (int i = 0; i < 500; ++i) {
       const Vec3 x =
           point_in(mesh, static_cast<TetId>(random.uniform(0, static_cast<double>(mesh.tets.size()))), random);
@@ -126,7 +126,7 @@ TEST(Target, JustOutsideIsAsOnTheBoundary) {
   }
 }
 
-// From anywhere to anywhere, on domains where a straight way may leave the domain.
+// From anywhere to anywhere, on domains where a straight path may leave the domain.
 class TargetOnDomains : public testing::TestWithParam<int> {};
 
 INSTANTIATE_TEST_SUITE_P(NotConvex, TargetOnDomains, testing::Range(0, 2));

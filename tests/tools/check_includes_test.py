@@ -1,4 +1,4 @@
-"""tools/check_includes accepts what the arrows allow and names each include that they do not."""
+"""tools/check_includes accepts the includes that its table allows and names all others."""
 import pathlib
 import subprocess
 import sys
