@@ -40,8 +40,9 @@ struct Quality {
 /// Checks the mesh itself, without a metric. Each string names one kind of defect, how often it occurs, and its first
 /// place, counted from 1 as in files; no string means no defect.
 /// Checked: indices in range, numbers of references, finite coordinates, orientation (exact), faces shared by more than
-/// two tetrahedra, triangles that are not a face, boundary faces and faces between regions without a triangle,
-/// duplicates, unused points. If one of the first three fails, the rest is not checked.
+/// two tetrahedra, tetrahedra on the same side of a common face, triangles that are not a face, boundary faces and
+/// faces between regions without a triangle, duplicates, unused points. If one of the first three fails, the rest is
+/// not checked.
 [[nodiscard]] std::vector<std::string> defects(const Mesh& mesh);
 
 }  // namespace taut

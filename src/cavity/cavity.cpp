@@ -113,7 +113,7 @@ bool Cavity::loses_vertex(const TetMesh& mesh) const {
 }
 
 bool Cavity::match(const TetMesh& mesh) {
-  const bool ok = enter_edges() && sides_agree(mesh);
+  const bool ok = enter_edges() && borders_are_on_hull() && sides_agree(mesh);
   if (!ok) clear_matching();
   return ok;
 }
@@ -131,6 +131,18 @@ bool Cavity::enter_edges() {
     std::uint16_t& entry = edge_[apex_faces_[i].local_b][apex_faces_[i].local_c];
     if (entry != 0) return false;
     entry = static_cast<std::uint16_t>(apex_base + i);
+  }
+  return true;
+}
+
+// Each new triangle will be a side of new tetrahedra. It would be none at the free border of a surface that ends inside
+// the volume, if the cavity holds all tetrahedra around an edge of this border.
+bool Cavity::borders_are_on_hull() const {
+  for (int i = 0; i < surface_.border_size(); ++i) {
+    const int a = vertices_.find(surface_.border(i).a), b = vertices_.find(surface_.border(i).b);
+    if (a < 0 || b < 0) return false;
+    const auto is_on_face = [](std::uint16_t entry) { return entry != 0 && entry < apex_base; };
+    if (!is_on_face(edge_[a][b]) && !is_on_face(edge_[b][a])) return false;
   }
   return true;
 }

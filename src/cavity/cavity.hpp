@@ -91,6 +91,7 @@ private:
   [[nodiscard]] bool all_positive() const;
   [[nodiscard]] bool match(const TetMesh& mesh);
   bool enter_edges();
+  [[nodiscard]] bool borders_are_on_hull() const;
   bool sides_agree(const TetMesh& mesh) const;
   [[nodiscard]] bool loses_vertex(const TetMesh& mesh) const;
   [[nodiscard]] bool is_owned(const TetMesh& mesh, const Block& block) const;

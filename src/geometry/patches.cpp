@@ -100,8 +100,10 @@ void find_shapes(const TetMesh& mesh, std::vector<Patch>& patches, double tolera
     for (VertexId v : t.v)
       if (std::fabs(dot(plane.normal, mesh.x(v)) - plane.offset) > tolerance) planar[t.patch] = 0;
   }
-  for (std::size_t p = 0; p < patches.size(); ++p)
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    patches[p].shape = Frozen{};
     if (planar[p] != 0 && !patches[p].required) patches[p].shape = planes[p];
+  }
 }
 
 }  // namespace taut

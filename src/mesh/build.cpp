@@ -87,6 +87,19 @@ void add_triangles(const Mesh& input, Built& built) {
   built.triangle_refs.resize(triangles.size(), 0);
 }
 
+// Two positive tetrahedra that see their common face in the same sense lie on the same side of it. Turning single
+// tetrahedra round repairs mixed orientations, but not vertices that lie in the wrong place.
+void require_no_overlap(const Mesh& input, const TetMesh& mesh) {
+  for_each_index(mesh.tets.size(), [&](std::size_t i) {
+    const auto t = static_cast<TetId>(i);
+    for (int f = 0; f < 4; ++f) {
+      const FaceLink other = mesh.beyond(t, f);
+      if (other != outside && same_cycle(mesh.face(t, f), mesh.face(other.tet(), other.face())))
+        throw_overlap(t, input.tetrahedra[t], other.tet(), input.tetrahedra[other.tet()]);
+    }
+  });
+}
+
 void order(const Mesh& input, Built& built) {
   TetMesh& mesh = built.mesh;
   Renumbering map = reorder(mesh);
@@ -110,6 +123,7 @@ Built build(const Mesh& input) {
   number_regions(input, built);
   add_tets(input, built);
   add_triangles(input, built);
+  require_no_overlap(input, built.mesh);
   order(input, built);
   return built;
 }

@@ -21,8 +21,8 @@ struct Built {
 };
 
 /// Throws InputError, naming the entity (counted from 1 as in files), for an index out of range, a coordinate that is
-/// not finite, a tetrahedron that is flat or repeats a vertex, a face of three tetrahedra, a triangle that is not a
-/// face or occurs twice, or reference arrays of the wrong length.
+/// not finite, a tetrahedron that is flat, repeats a vertex or overlaps a neighbour, a face of three tetrahedra, a
+/// triangle that is not a face or occurs twice, or reference arrays of the wrong length.
 [[nodiscard]] Built build(const Mesh& input);
 
 }  // namespace taut

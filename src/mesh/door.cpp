@@ -84,6 +84,14 @@ void throw_flat(std::size_t tet, const std::array<Index, 4>& v) {
   throw InputError(fmt::format("tetrahedron {} ({}) is flat: its volume is exactly zero", tet + 1, listed(v)));
 }
 
+void throw_overlap(std::size_t tet, const std::array<Index, 4>& v, std::size_t neighbour,
+                   const std::array<Index, 4>& w) {
+  throw InputError(
+      fmt::format("tetrahedron {} ({}) overlaps its neighbour, tetrahedron {} ({}): both lie on the same side of their "
+                  "common face, the mesh is tangled",
+                  tet + 1, listed(v), neighbour + 1, listed(w)));
+}
+
 void throw_no_face(std::size_t triangle, const std::array<Index, 3>& v) {
   throw InputError(fmt::format("triangle {} ({}) is not a face of any tetrahedron", triangle + 1, listed(v)));
 }

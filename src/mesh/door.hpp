@@ -15,6 +15,8 @@ void require_sound_arrays(const Mesh& input);
 void require_region_count(std::size_t regions);
 
 [[noreturn]] void throw_flat(std::size_t tet, const std::array<Index, 4>& v);
+[[noreturn]] void throw_overlap(std::size_t tet, const std::array<Index, 4>& v, std::size_t neighbour,
+                                const std::array<Index, 4>& w);
 [[noreturn]] void throw_no_face(std::size_t triangle, const std::array<Index, 3>& v);
 [[noreturn]] void throw_duplicate(std::size_t triangle, std::size_t other);
 [[noreturn]] void throw_crowded_face(const std::array<Index, 3>& v);

@@ -112,11 +112,33 @@ bool same_face(const Face& a, const Face& b) {
   return a.vertices == b.vertices;
 }
 
+// The face that two tetrahedra share, as the given one of them sees it: outward if it is positive.
+std::array<Index, 3> seen_from(const std::array<Index, 4>& tet, const Face& face) {
+  for (const auto& [i, j, k] : face_vertices) {
+    std::array<Index, 3> sorted = {tet[i], tet[j], tet[k]};
+    std::ranges::sort(sorted);
+    if (sorted == face.vertices) return {tet[i], tet[j], tet[k]};
+  }
+  return face.vertices;
+}
+
+bool is_positive(const Mesh& mesh, Index t) {
+  const auto& [a, b, c, d] = mesh.tetrahedra[t];
+  return orientation(mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]) > 0;
+}
+
+/// Whether two positive tetrahedra lie on the same side of their common face.
+bool overlap(const Mesh& mesh, const Face& a, const Face& b) {
+  return same_cycle(seen_from(mesh.tetrahedra[a.source], a), seen_from(mesh.tetrahedra[b.source], b)) &&
+         is_positive(mesh, a.source) && is_positive(mesh, b.source);
+}
+
 struct FaceDefects {
-  Places crowded, bare, open, loose;
+  Places crowded, overlapping, bare, open, loose;
 
   FaceDefects& operator+=(const FaceDefects& other) {
     crowded += other.crowded;
+    overlapping += other.overlapping;
     bare += other.bare;
     open += other.open;
     loose += other.loose;
@@ -134,6 +156,7 @@ struct FaceDefects {
       while (triangle != triangles.end() && same_face(*triangle, *face)) ++triangle;
       const auto sharing = next - face;
       if (sharing > 2) crowded.add(face->source);
+      if (sharing == 2 && overlap(mesh, face[0], face[1])) overlapping.add(face->source);
       if (sharing == 1 && !marked) bare.add(face->source);
       if (sharing == 2 && !marked && region_of(mesh, face[0].source) != region_of(mesh, face[1].source))
         open.add(face->source);
@@ -148,6 +171,7 @@ void check_faces(const Mesh& mesh, const Buckets<Face>& triangles, std::vector<s
   const auto sum = sum_in_order<FaceDefects>(
       mesh.points.size(), [&](FaceDefects& own, std::size_t v) { own.add(mesh, faces[v], triangles[v]); });
   report("faces shared by more than two tetrahedra (numbers of tetrahedra)", sum.crowded, found);
+  report("tetrahedra that overlap a neighbour", sum.overlapping, found);
   report("boundary faces without a triangle (numbers of tetrahedra)", sum.bare, found);
   report("faces between regions without a triangle (numbers of tetrahedra)", sum.open, found);
   report("triangles that are not a face of any tetrahedron", sum.loose, found);

@@ -20,11 +20,16 @@ std::vector<Domain> domains() {
     if (regions.triangle_refs[t] == 7) std::swap(regions.triangles[t][0], regions.triangles[t][1]);
   Mesh corner = test::l_shape(4);
   test::jitter(corner, 0.04, 3);
+  Mesh sheets = test::cube(8);  // two that cross and end inside
+  test::add_sheet(sheets, 0);
+  test::add_sheet(sheets, 2);
   Mesh turned = regions;
   const auto r = test::Random(9).rotation();
-  for (Point& p : turned.points) p = test::rotate(r, p - Point{0.5, 0.5, 0.5});
-  return {{"cube", box}, {"regions", regions},        {"turned", turned},
-          {"l", corner}, {"vault", test::vault(box)}, {"ball", test::ball(test::cube(4))}};
+  for (Mesh* mesh : {&turned, &sheets})
+    for (Point& p : mesh->points) p = test::rotate(r, p - Point{0.5, 0.5, 0.5});
+  return {{"cube", box},     {"regions", regions},        {"turned", turned},
+          {"l", corner},     {"vault", test::vault(box)}, {"ball", test::ball(test::cube(4))},
+          {"sheets", sheets}};
 }
 
 struct Field {
@@ -53,7 +58,7 @@ std::string name_of(const testing::TestParamInfo<Runs::ParamType>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Runs,
-                         testing::Combine(testing::Range(0, 6), testing::Range(0, 4),
+                         testing::Combine(testing::Range(0, 7), testing::Range(0, 4),
                                           testing::Values(Surface::adapt, Surface::fixed)),
                          name_of);
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <random>
 
+#include "base/ids.hpp"
 #include "base/vec3.hpp"
 #include "mesh/grid.hpp"
 
@@ -93,6 +94,31 @@ inline Mesh two_regions(Index n) {
   Mesh mesh = grid(n);
   for (const auto& t : mesh.tetrahedra) mesh.tetrahedron_refs.push_back(centre_of(mesh, t)[0] < 0.5 ? 1 : 2);
   add_triangles(mesh);
+  return mesh;
+}
+
+/// Adds triangles of reference 20 + axis inside the volume, on the square that spans the middle half of the plane
+/// across an axis at 1/2: the volume is on both sides of this surface and around its border.
+inline void add_sheet(Mesh& mesh, std::size_t axis) {
+  const auto is_on_sheet = [axis](const Point& p) {
+    for (std::size_t d = 0; d < 3; ++d)
+      if (d == axis ? p[d] != 0.5 : p[d] < 0.25 || p[d] > 0.75) return false;
+    return true;
+  };
+  for (const auto& t : mesh.tetrahedra)
+    for (const auto& [i, j, k] : face_vertices) {
+      const std::array<Index, 3> face = {t[i], t[j], t[k]};
+      if (!std::ranges::all_of(face, [&](Index p) { return is_on_sheet(mesh.points[p]); })) continue;
+      if (area_normal(mesh, face)[axis] < 0) continue;  // seen from the other side
+      mesh.triangles.push_back(face);
+      mesh.triangle_refs.push_back(20 + static_cast<int>(axis));
+    }
+}
+
+/// A cube with one sheet. n is a multiple of 4.
+inline Mesh cube_with_sheet(Index n) {
+  Mesh mesh = cube(n);
+  add_sheet(mesh, 2);
   return mesh;
 }
 

@@ -72,7 +72,7 @@ TEST(Relocation, InDisturbedDomains) {
 
 TEST(Relocation, SmoothsADisturbedGrid) {
   Mesh input = test::cube(5);
-  test::jitter(input, 0.08, 1);
+  test::jitter(input, 0.06, 1);
   Workbench bench(input, Sizes(input.points.size(), 0.25));
   const auto worst = [&] {
     double least = 1;

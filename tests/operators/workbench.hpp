@@ -254,10 +254,11 @@ void for_each_tet_edge(const TetMesh& mesh, Visit visit) {
       if (!testing::Test::HasFatalFailure()) visit(t, e);
 }
 
-/// A cube, a rotated cube, two regions, a domain that is not convex, and one with a curved side; all perturbed.
+/// A cube, a rotated cube, two regions, a domain that is not convex, and one with a curved side,
+/// one with a surface that ends inside; all perturbed.
 inline std::vector<Mesh> disturbed_domains() {
-  std::vector<Mesh> meshes = {cube(3), two_regions(4), l_shape(4), cube(3), cube(4)};
-  for (unsigned i = 0; i < 5; ++i) jitter(meshes[i], i == 3 ? 0.07 : 0.05, i);
+  std::vector<Mesh> meshes = {cube(3), two_regions(4), l_shape(4), cube(3), cube(4), cube_with_sheet(4)};
+  for (unsigned i = 0; i < 6; ++i) jitter(meshes[i], i == 3 ? 0.07 : 0.05, i);
   meshes[3] = askew(meshes[3]);
   meshes[4] = vault(meshes[4]);
   return meshes;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/vec3.hpp"
 #include "base/with_threads.hpp"
 #include "mesh/grid.hpp"
 #include "quality/faces.hpp"
@@ -31,6 +32,15 @@ void expect_defect(const Mesh& mesh, const std::string& expected) {
     if (defect.starts_with(expected)) return;
   }
   ADD_FAILURE() << "expected: " << expected << "\nfound: " << testing::PrintToString(found);
+}
+
+TEST(Defects, OverlappingNeighbours) {
+  Mesh mesh = test::grid(4);  // with its middle vertex moved beyond its ball
+  mesh.points[62] = {0.85, 0.605, 0.535};
+  for (auto& v : mesh.tetrahedra)
+    if (six_volumes(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]) < 0)
+      std::swap(v[0], v[1]);
+  expect_defect(mesh, "tetrahedra that overlap a neighbour");
 }
 
 TEST(Defects, OfASoundMeshAreNone) {
