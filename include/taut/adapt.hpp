@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "taut/error.hpp"
+#include "taut/export.hpp"
 #include "taut/mesh.hpp"
 #include "taut/metric.hpp"
 #include "taut/quality.hpp"
@@ -94,6 +95,6 @@ struct AdaptResult {
 /// input mesh, log-Euclidean; a function is called at each new place of a vertex, unless gradation is asked for. Throws
 /// InputError if the mesh, the metric or the options cannot be used, Failure if the result needs more than 32-bit ids.
 /// An exception thrown by the function or the callback reaches the caller.
-[[nodiscard]] AdaptResult adapt(const Mesh& mesh, const Metric& metric, const AdaptOptions& options = {});
+[[nodiscard]] TAUT_EXPORT AdaptResult adapt(const Mesh& mesh, const Metric& metric, const AdaptOptions& options = {});
 
 }  // namespace taut

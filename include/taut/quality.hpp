@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/export.hpp"
 #include "taut/mesh.hpp"
 #include "taut/metric.hpp"
 
@@ -35,7 +36,7 @@ struct Quality {
 };
 
 /// Measures `mesh` in `metric`. Throws InputError if an index is out of range or the metric does not fit the mesh.
-[[nodiscard]] Quality measure(const Mesh& mesh, const Metric& metric);
+[[nodiscard]] TAUT_EXPORT Quality measure(const Mesh& mesh, const Metric& metric);
 
 /// Checks the mesh itself, without a metric. Each string names one kind of defect, how often it occurs, and its first
 /// place, counted from 1 as in files; no string means no defect.
@@ -43,6 +44,6 @@ struct Quality {
 /// two tetrahedra, tetrahedra on the same side of a common face, triangles that are not a face, boundary faces and
 /// faces between regions without a triangle, duplicates, unused points. If one of the first three fails, the rest is
 /// not checked.
-[[nodiscard]] std::vector<std::string> defects(const Mesh& mesh);
+[[nodiscard]] TAUT_EXPORT std::vector<std::string> defects(const Mesh& mesh);
 
 }  // namespace taut

@@ -3,6 +3,8 @@
 
 #include <functional>
 
+#include "taut/export.hpp"
+
 namespace taut {
 
 inline constexpr int most_threads = 1024;
@@ -11,6 +13,6 @@ inline constexpr int most_threads = 1024;
 /// more than there are cores; 0: as many as the caller's oneTBB task arena has, by default one per core. No result
 /// depends on the number of threads. An exception thrown by work() reaches the caller. Throws InputError unless
 /// `threads` lies in [0, most_threads].
-void on_threads(int threads, const std::function<void()>& work);
+TAUT_EXPORT void on_threads(int threads, const std::function<void()>& work);
 
 }  // namespace taut

@@ -1,4 +1,4 @@
-// A program outside this project: a cube of six tetrahedra, adapted to a uniform size.
+// A program outside this project: a cube of six tetrahedra, adapted to a uniform size; and what the library throws.
 #include <taut/taut.hpp>
 
 #include <algorithm>
@@ -21,6 +21,25 @@ taut::Mesh cube() {
   return mesh;
 }
 
+template <class Error, class Action>
+bool throws(const Action& action) {
+  try {
+    action();
+  } catch (const Error&) {
+    return true;
+  } catch (...) {
+  }
+  return false;
+}
+
+// An exception passes from the library to the program, and from the program through the library.
+bool exceptions_arrive() {
+  const taut::Mesh mesh = cube();
+  return throws<taut::InputError>([&] { (void)taut::adapt(mesh, taut::Sizes{1}); }) &&
+         throws<taut::Failure>([&] { taut::write_mesh("/no such folder/out.mesh", mesh); }) &&
+         throws<taut::Failure>([] { taut::on_threads(2, [] { throw taut::Failure("mine"); }); });
+}
+
 }  // namespace
 
 int main() {
@@ -28,5 +47,6 @@ int main() {
   const taut::AdaptResult result = taut::adapt(mesh, taut::Sizes(mesh.points.size(), 0.25));
   std::printf("taut %s: %zu tetrahedra, tau %.3f\n", TAUT_VERSION, result.mesh.tetrahedra.size(),
               result.report.quality.tau);
-  return taut::defects(result.mesh).empty() && result.mesh.tetrahedra.size() > 6 ? 0 : 1;
+  const bool adapted = taut::defects(result.mesh).empty() && result.mesh.tetrahedra.size() > 6;
+  return adapted && exceptions_arrive() ? 0 : 1;
 }

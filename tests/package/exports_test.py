@@ -1,0 +1,24 @@
+"""The shared library shows what the headers export, and no function beside.
+
+usage: exports_test.py LIBRARY INCLUDES
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+library, includes = sys.argv[1], pathlib.Path(sys.argv[2])
+headers = "".join(path.read_text() for path in includes.rglob("*.hpp"))
+text = re.sub(r"^#.*$", "", headers, flags=re.MULTILINE)
+functions = {f"taut::{name}" for name in re.findall(r"TAUT_EXPORT [\w:<> ]*?(\w+)\(", text)}
+errors = {f"typeinfo for taut::{name}" for name in re.findall(r"class TAUT_EXPORT (\w+)", text)}
+
+lines = subprocess.run(["nm", "-DC", "--defined-only", library], check=True, capture_output=True, text=True).stdout
+symbols = [line.split(maxsplit=2)[1:] for line in lines.splitlines()]
+strong = {name.split("[")[0].split("(")[0] for kind, name in symbols if kind == "T" and "::" in name}
+shown = {name for _, name in symbols}
+
+wrong = [f"{name} is exported, but no header says so" for name in strong - functions]
+wrong += [f"{name} is not exported" for name in (functions - strong) | (errors - shown)]
+print("\n".join(wrong) or f"{len(functions)} functions and {len(errors)} errors exported")
+sys.exit(1 if wrong or not functions or not errors else 0)
