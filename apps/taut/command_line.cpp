@@ -20,7 +20,7 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
   }
   if (app.get_subcommands().empty()) return "no command found, expected adapt or quality";
 
-  const std::string text = error.what();
+  std::string text = error.what();
   if (error.get_name() != "ArgumentMismatch") return text;
   return text.substr(0, text.find(':')) + ": expected exactly one value";
 }

@@ -39,7 +39,7 @@ void add_histogram(Table& table, std::string_view title, std::span<const double>
   table.line("\n{}", title);
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const auto count = static_cast<double>(counts[i]);
-    const auto length = static_cast<std::size_t>(widest * count / most + 0.5);
+    const auto length = static_cast<std::size_t>(std::lround(widest * count / most));
     const std::string bar = length == 0 ? "" : "  " + std::string(length, '#');
     table.line("  {:<14}{:>10}{:>8.2f} %{}", interval(bounds[i], bounds[i + 1]), counts[i], 100 * count / all, bar);
   }

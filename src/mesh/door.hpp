@@ -9,7 +9,7 @@
 namespace taut {
 
 /// Lengths of the arrays, indices in range, finite coordinates, no repeated vertex. Throws InputError.
-void require_sound_arrays(const Mesh& input);
+void require_sound_arrays(const Mesh& m);
 
 /// Throws InputError if there are more regions than 16-bit ids can number.
 void require_region_count(std::size_t regions);
