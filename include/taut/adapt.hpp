@@ -29,6 +29,7 @@ struct Progress {
 /// Called after each pass. If it returns false, the adaptation ends and returns the mesh as it is then, which is valid.
 using ProgressCallback = std::function<bool(const Progress&)>;
 
+/// How a mesh is adapted. The defaults suit most meshes.
 struct AdaptOptions {
   Surface surface = Surface::adapt;
   double hmin = 0;                                        ///< smallest size: smaller ones in the metric become hmin
@@ -59,6 +60,7 @@ struct PassReport {
   double busy_seconds = 0;  ///< working time summed over the threads: `threads` times `seconds` if none ever waits
 };
 
+/// What an adaptation did, and how good the result is.
 struct Report {
   std::size_t rounds = 0;
   int threads = 1;         ///< number of threads that the run could use
@@ -82,13 +84,14 @@ struct Host {
   std::array<double, 4> weights{};  ///< of its four points in their order: none negative, of sum 1
 };
 
+/// The adapted mesh, and how it relates to the input.
 struct AdaptResult {
   static constexpr Index gone = std::numeric_limits<Index>::max();
   Mesh mesh;
   Tensors metric;                 ///< at the points of `mesh`
   std::vector<Host> hosts;        ///< of the points of `mesh`: what interpolates any field on the input
   std::vector<Index> new_of_old;  ///< for each point of the input its index in `mesh`, or `gone`
-  Report report;
+  Report report;                  ///< what the adaptation did
 };
 
 /// Adapts `mesh` to `metric` (Dobrzynski and Frey 2008, sections 3 and 4). Sizes and tensors are interpolated on the

@@ -7,8 +7,8 @@
 
 namespace taut {
 
-using Index = std::uint32_t;
-using Point = std::array<double, 3>;
+using Index = std::uint32_t;          ///< of a point or of another entity of a mesh, from 0
+using Point = std::array<double, 3>;  ///< coordinates x, y, z
 
 /// A tetrahedral mesh with its marked lower-dimensional entities.
 ///
@@ -16,17 +16,17 @@ using Point = std::array<double, 3>;
 /// positively oriented if det(p1-p0, p2-p0, p3-p0) > 0. Triangles on the boundary are oriented outward; triangles
 /// between two regions may have either orientation.
 struct Mesh {
-  std::vector<Point> points;  ///< coordinates
-  std::vector<int> point_refs;
+  std::vector<Point> points;    ///< coordinates
+  std::vector<int> point_refs;  ///< the reference of each point
 
-  std::vector<std::array<Index, 4>> tetrahedra;
-  std::vector<int> tetrahedron_refs;  ///< the region of each tetrahedron
+  std::vector<std::array<Index, 4>> tetrahedra;  ///< indices into `points`
+  std::vector<int> tetrahedron_refs;             ///< the region of each tetrahedron
 
   std::vector<std::array<Index, 3>> triangles;  ///< boundary faces and faces between regions
   std::vector<int> triangle_refs;               ///< the surface patch of each triangle
 
   std::vector<std::array<Index, 2>> edges;  ///< feature lines
-  std::vector<int> edge_refs;
+  std::vector<int> edge_refs;               ///< the line of each edge
 
   std::vector<Index> corners;              ///< points that may not move
   std::vector<Index> required_points;      ///< points that must be kept

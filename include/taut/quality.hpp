@@ -27,6 +27,7 @@ struct Quality {
   double Q_max = 0, Q_mean = 0, Q_up_to_2 = 0, Q_up_to_3 = 0;  ///< the last two: share of the tetrahedra
   double mean_ratio_min = 0, mean_ratio_mean = 0;
 
+  /// Bounds of the classes of `length_histogram`.
   static constexpr std::array<double, 10> length_bounds = {
       0, 0.3, 0.6, 0.70710678118654752, 0.9, 1.3, 1.41421356237309505, 2, 5, std::numeric_limits<double>::infinity()};
   static constexpr std::array<double, 8> Q_bounds = {1, 1.25, 1.5, 2,

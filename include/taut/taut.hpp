@@ -10,3 +10,6 @@
 #include "taut/surface.hpp"
 #include "taut/threads.hpp"
 #include "taut/version.hpp"
+
+/// Anisotropic tetrahedral mesh adaptation: adapt() is where to begin.
+namespace taut {}

@@ -7,6 +7,7 @@
 
 namespace taut {
 
+/// Largest number of threads that can be asked for.
 inline constexpr int most_threads = 1024;
 
 /// Calls work(). The functions of this library that work() calls then use at most `threads` threads, even if that is
