@@ -21,7 +21,7 @@ struct Face {
   }
 };
 
-constexpr std::size_t vertices_a_task = 1024;  // each with about 24 faces
+constexpr std::size_t smallest_vertices_per_task = 1024;  // each with about 24 faces
 
 std::array<VertexId, 3> ascending(std::array<VertexId, 3> v) {
   std::sort(v.begin(), v.end());
@@ -61,8 +61,8 @@ public:
 
   void run() {
     auto faces = gather_faces(mesh_);
-    const auto bare =
-        collect_in_order<Sides>(Chunks(faces.keys(), vertices_a_task), [&](std::vector<Sides>& found, std::size_t v) {
+    const auto bare = collect_in_order<Sides>(
+        Chunks(faces.keys(), smallest_vertices_per_task), [&](std::vector<Sides>& found, std::size_t v) {
           for_each_group(faces[v], [&](std::span<const Face> group) { join(group, found); });
         });
     const std::size_t given = mesh_.triangles.size();

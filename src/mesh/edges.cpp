@@ -11,7 +11,7 @@ namespace {
 
 using Tets = std::span<const std::array<Index, 4>>;
 
-constexpr std::size_t vertices_a_task = 1024;  // each with about 36 edge ends to sort
+constexpr std::size_t vertices_per_task = 1024;  // each with about 36 edge ends to sort
 
 struct Bound {
   std::size_t vertices = 0;
@@ -53,7 +53,7 @@ std::vector<std::array<Index, 2>> edges_of(Tets tets) {
     std::ranges::sort(ends);
     for (const Index w : ends) edges.push_back({static_cast<Index>(v), w});
   };
-  return collect_in_order<Edge>(Chunks(larger_ends.keys(), vertices_a_task), add_edges_from);
+  return collect_in_order<Edge>(Chunks(larger_ends.keys(), vertices_per_task), add_edges_from);
 }
 
 }  // namespace taut

@@ -9,7 +9,7 @@ namespace {
 constexpr double decent_quality = 0.35;                      // forces act on balls whose worst 1/Q is above this ..
 constexpr double decent_shortest = 0.5, decent_longest = 2;  // .. and whose edge lengths lie between these
 constexpr double quality_kept = 0.9, least_quality = 0.25;   // bounds on the loss by a force, in the ball's worst 1/Q
-constexpr double gain = 1.02;                                // of the worst 1/Q, where no force acts
+constexpr double least_gain = 1.02;                          // of the worst 1/Q, where no force acts
 constexpr int halvings = 2;
 
 // exp(-y) for y >= 0, accurate to 1e-5, in operations that vectorise.
@@ -74,7 +74,7 @@ private:
 
   Outcome attempt(const Vec3& step) {
     const double old = move_.old_quality();
-    const double bound = by_forces_ ? std::max(quality_kept * old, least_quality) : gain * old;
+    const double bound = by_forces_ ? std::max(quality_kept * old, least_quality) : least_gain * old;
     move_.propose(step);
     if (!k_.batch.all_above(bound)) return Outcome::quality;
     if (by_forces_ && !lengths_hold(move_.new_lengths())) return Outcome::long_edge;

@@ -7,7 +7,7 @@
 namespace taut {
 namespace {
 
-constexpr double least_quality = 1e-6;  // a sliver is never worth creating
+constexpr double least_swapped_quality = 1e-6;  // a sliver is never worth creating
 
 // A ring vertex can take over the triangles of the shell only if it lies on their patches. A feature edge is never
 // swapped.
@@ -43,7 +43,7 @@ public:
     if (k_.any_frozen(k_.shell_tets()) || is_feature_edge(k_)) return Outcome::frozen;
     evaluate();
     longest_ = std::max(rules_.longest_new_edge, k_.length(k_.shell.a, k_.shell.b));
-    const double bound = std::max(old_quality * rules_.gain, least_quality);
+    const double bound = std::max(old_quality * rules_.gain, least_swapped_quality);
     Outcome outcome = Outcome::no_candidate;
     std::array<Fan, RingTable::largest> fans;
     const int count = better_fans(bound, fans);
@@ -122,7 +122,7 @@ Outcome turn_face(Kernel& kernel, TetId t, int face, FaceLink link, const SwapRu
   if (kernel.any_frozen(both)) return Outcome::frozen;
   kernel.cavity.tets.assign(both);
   return kernel.rejoin(kernel.apex_at(p), none, [&] {
-    const double bound = std::max(old_quality * rules.gain, least_quality);
+    const double bound = std::max(old_quality * rules.gain, least_swapped_quality);
     return kernel.cavity.batch.all_above(bound) ? Outcome::accepted : Outcome::quality;
   });
 }

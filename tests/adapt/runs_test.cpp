@@ -27,6 +27,7 @@ std::vector<Domain> domains() {
   const auto r = test::Random(9).rotation();
   for (Mesh* mesh : {&turned, &sheets})
     for (Point& p : mesh->points) p = test::rotate(r, p - Point{0.5, 0.5, 0.5});
+  for (Point& p : sheets.points) p = 2.0 * p;
   return {{"cube", box},     {"regions", regions},        {"turned", turned},
           {"l", corner},     {"vault", test::vault(box)}, {"ball", test::ball(test::cube(4))},
           {"sheets", sheets}};
