@@ -161,7 +161,9 @@ void swap_pass(Kernel& kernel, const SwapRules& rules, Tally& tally) {
 }
 
 void repair_pass(Kernel& kernel, const RepairRules& rules, Tally& tally) {
-  const auto is_due = [&](const Tet& tet) { return tet.state.quality <= rules.bad; };
+  const auto is_due = [&](const Tet& tet) {
+    return tet.state.quality <= rules.bad && !tet.state.tried.all(Trial::repair);
+  };
   for_each_due_tet(kernel, tally, is_due, [&](TetId t) { tally.record(repair(kernel, t, rules)); });
 }
 

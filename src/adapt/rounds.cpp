@@ -1,5 +1,7 @@
 #include "adapt/rounds.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "adapt/block_passes.hpp"
@@ -22,6 +24,11 @@ constexpr double swapped_while_growing = 0.6, swapped_at_rest = 0.8;
 // for the long rounds in which it grows no longer.
 constexpr double disorder_while_growing = 1.5, disorder_at_rest = 1.1;
 
+// Rounds go in circles if each changes more than this, the last one not clearly less than the one before last, and if
+// the vertices that came and went in two rounds cancel out up to a share. Swaps come every second round: so do the
+// rounds compared.
+constexpr double circling = 0.01, still_changing = 0.8, cancelled_out = 0.25;
+
 constexpr double edges_per_tet = 1.19;  // of a mesh of good tetrahedra with some boundary
 
 class Rounds {
@@ -31,12 +38,13 @@ public:
 
   void run() {
     tets_when_ordered_ = mesh_.tet_count();
-    Gain gain;
+    Gain gain, last, before_last;
     for (round_ = 0; round_ < rules_.most && !report_.cancelled; ++round_) {
-      const Gain last = std::exchange(gain, round());
+      before_last = std::exchange(last, std::exchange(gain, round()));
       ++report_.rounds;
       if (is_disordered(gain)) put_in_order();
       if (round_ > 0 && is_settled(gain, last)) break;
+      if (round_ > 2 && goes_in_circles(gain, last, before_last)) break;
     }
     round_ = static_cast<int>(report_.rounds) - 1;
     if (round_ >= 0 && rules_.passes.repair) pass(passes_.tallies().repair, [&] { passes_.mend(repair_rules()); });
@@ -47,6 +55,7 @@ public:
 private:
   struct Gain {
     double changed = 0;     ///< vertices inserted and removed, as a share of the tetrahedra
+    double grown = 0;       ///< what is left of that: vertices more than before, as a share of the tetrahedra
     double efficiency = 0;  ///< gain in log tau by relocation
   };
 
@@ -57,6 +66,7 @@ private:
     const Tallies before = done;
     const PassChoice& chosen = rules_.passes;
     passes_.cut();
+    const auto vertices = static_cast<double>(passes_.vertex_count());
     if (chosen.insertion) pass(done.insertion, [&] { passes_.insert({}); });
     if (chosen.collapse) pass(done.collapse, [&] { passes_.collapse({}); });
     const auto tets = static_cast<double>(passes_.tet_count());
@@ -67,7 +77,8 @@ private:
     if (chosen.repair && !grows) pass(done.repair, [&] { passes_.repair(repair_rules()); });
     if (chosen.relocation) pass(done.relocation, [&] { passes_.relocate({}); });
     passes_.close();
-    return {changed, (done.efficiency_gain - before.efficiency_gain) / (edges_per_tet * tets)};
+    const double grown = (static_cast<double>(passes_.vertex_count()) - vertices) / tets;
+    return {changed, grown, (done.efficiency_gain - before.efficiency_gain) / (edges_per_tet * tets)};
   }
 
   [[nodiscard]] RepairRules repair_rules() const { return {.may_collapse = rules_.passes.collapse}; }
@@ -79,6 +90,13 @@ private:
 
   [[nodiscard]] static bool is_settled(const Gain& gain, const Gain& last) {
     return gain.changed < settled_changes && gain.efficiency + last.efficiency < 2 * settled_efficiency;
+  }
+
+  // Where a frozen surface forbids unit edges, what one pass makes another undoes, for ever.
+  [[nodiscard]] static bool goes_in_circles(const Gain& gain, const Gain& last, const Gain& before_last) {
+    const double least = std::min({gain.changed, last.changed, before_last.changed});
+    return least > circling && gain.changed > still_changing * before_last.changed &&
+           std::abs(gain.grown + last.grown) < cancelled_out * (gain.changed + last.changed);
   }
 
   template <class Work>

@@ -6,8 +6,15 @@
 namespace taut {
 
 /// Insertion counts as tried for edges that are not too long, collapse for those that are not too short; `not_unit`
-/// marks the edges that are either. The value is the first bit of the kind.
-enum class Trial : std::uint32_t { insertion = 0, collapse = 6, edge_swap = 12, face_swap = 18, not_unit = 22 };
+/// marks the edges that are either. Repair is tried on the whole tetrahedron. The value is the first bit of the kind.
+enum class Trial : std::uint32_t {
+  insertion = 0,
+  collapse = 6,
+  edge_swap = 12,
+  face_swap = 18,
+  not_unit = 22,
+  repair = 28
+};
 
 class Trials {
 public:
@@ -15,8 +22,8 @@ public:
   [[nodiscard]] bool has(Trial kind, int entity) const { return (bits_ & bit(kind, entity)) != 0; }
   void set(Trial kind, int entity) { bits_ |= bit(kind, entity); }
 
-  /// Swaps of edges and of faces that failed may succeed now.
-  void forget_swaps() { bits_ &= ~(all_of(Trial::edge_swap) | all_of(Trial::face_swap)); }
+  /// Swaps and repairs that failed may succeed now.
+  void forget_shapes() { bits_ &= ~(all_of(Trial::edge_swap) | all_of(Trial::face_swap) | all_of(Trial::repair)); }
 
   /// Insertions and collapses that failed may succeed now.
   void forget_lengths() {
@@ -40,7 +47,9 @@ private:
   static constexpr std::uint32_t bit(Trial kind, int entity) {
     return 1U << (first(kind) + static_cast<std::uint32_t>(entity));
   }
-  static constexpr std::uint32_t all_of(Trial kind) { return (kind == Trial::face_swap ? four : six) << first(kind); }
+  static constexpr std::uint32_t all_of(Trial kind) {
+    return (kind == Trial::repair ? 1U : kind == Trial::face_swap ? four : six) << first(kind);
+  }
 
   std::uint32_t bits_ = 0;
 };

@@ -31,6 +31,18 @@ void FaceBatch::push(const Vertex& a, const Vertex& b, const Vertex& c) {
   for (int k = 0; k < 6; ++k) m_[k][i] = (a.m[k] + b.m[k]) + c.m[k];
 }
 
+bool FaceBatch::all_see(const Vec3& p) const {
+  double least = 1;
+  for (int i = 0; i < size_; ++i) {
+    const double ax = x_[0][i] - p[0], ay = x_[1][i] - p[1], az = x_[2][i] - p[2];
+    const double bx = x_[3][i] - p[0], by = x_[4][i] - p[1], bz = x_[5][i] - p[2];
+    const double cx = x_[6][i] - p[0], cy = x_[7][i] - p[1], cz = x_[8][i] - p[2];
+    const double v = ax * (by * cz - bz * cy) - ay * (bx * cz - bz * cx) + az * (bx * cy - by * cx);
+    least = least < v ? least : v;
+  }
+  return least >= 0;
+}
+
 void FaceBatch::evaluate(const Vertex& apex) {
   const double px = apex.x[0], py = apex.x[1], pz = apex.x[2];
   const Sym3 m = apex.m;

@@ -24,6 +24,9 @@ public:
   /// inverted).
   void evaluate(const Vertex& apex);
 
+  /// Whether every face sees p, up to rounding: what evaluate() finds without the metric of p.
+  [[nodiscard]] bool all_see(const Vec3& p) const;
+
   /// Whether every quality is above the bound.
   [[nodiscard]] bool all_above(double bound) const {
     for (int i = 0; i < size_; ++i)

@@ -34,7 +34,8 @@ Outcome lift(Kernel& kernel, VertexId v, double gain) {
   const double length = std::sqrt(quadratic_form(move.old().m, direction));
   Outcome outcome = Outcome::no_candidate;
   for (const double share : {0.5, 0.25, 0.12, 0.06}) {  // of a unit length
-    move.propose((share / length) * direction);
+    outcome = move.propose((share / length) * direction);
+    if (outcome != Outcome::accepted) continue;
     outcome = kernel.batch.all_above(gain * move.old_quality()) ? move.commit({}) : Outcome::quality;
     if (outcome == Outcome::accepted) return outcome;
   }

@@ -75,7 +75,7 @@ private:
   Outcome attempt(const Vec3& step) {
     const double old = move_.old_quality();
     const double bound = by_forces_ ? std::max(quality_kept * old, least_quality) : least_gain * old;
-    move_.propose(step);
+    if (const Outcome outcome = move_.propose(step); outcome != Outcome::accepted) return outcome;
     if (!k_.batch.all_above(bound)) return Outcome::quality;
     if (by_forces_ && !lengths_hold(move_.new_lengths())) return Outcome::long_edge;
     return move_.commit(rules_.move);

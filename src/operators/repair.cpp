@@ -20,7 +20,9 @@ Outcome repair(Kernel& kernel, TetId t, const RepairRules& rules) {
     if (outcome == Outcome::accepted) return outcome;
     put_off |= outcome == Outcome::put_off;
   }
-  return put_off ? Outcome::put_off : outcome;
+  if (put_off) return Outcome::put_off;
+  kernel.mesh.tets[t].state.tried.set(Trial::repair, 0);
+  return outcome;
 }
 
 }  // namespace taut

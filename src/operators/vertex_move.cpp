@@ -40,12 +40,16 @@ Outcome VertexMove::gather() {
   return Outcome::accepted;
 }
 
-void VertexMove::propose(const Vec3& step) {
+// A place beyond the ball may lie outside the domain: finding that out from the target takes as long as a hundred
+// moves.
+Outcome VertexMove::propose(const Vec3& step) {
   measured_ = false;
   moved_.x = k_.model.project(tag_, old_.x + step);
+  if (!k_.batch.all_see(moved_.x)) return Outcome::inverted;
   host_ = mesh_.host_of_vertex[v_];
   moved_.m = k_.target.at(moved_.x, host_);
   k_.batch.evaluate(moved_);
+  return Outcome::accepted;
 }
 
 std::span<const double> VertexMove::new_lengths() {
@@ -82,7 +86,7 @@ void VertexMove::write(const MoveRules& rules) {
     TetState& state = mesh_.tets[k_.cavity.tets[i]].state;
     state.quality = static_cast<float>(k_.batch.quality[i]);
     if (!forget) continue;
-    state.tried.forget_swaps();
+    state.tried.forget_shapes();
     state.tried.forget_lengths();
   }
   if (moved_by < rules.still) return;

@@ -25,9 +25,9 @@ public:
   [[nodiscard]] double old_quality() const { return old_quality_; }               ///< the worst 1/Q of the ball
   [[nodiscard]] std::span<const double> old_lengths() const { return lengths_; }  ///< valid until the first propose()
 
-  /// The place nearest to old + step on the vertex's patch or line. Afterwards the kernel's batch holds the ball's
-  /// qualities there.
-  void propose(const Vec3& step);
+  /// The place nearest to old + step on the vertex's patch or line. Refused if it turns a tetrahedron of the ball over;
+  /// otherwise the kernel's batch holds the ball's qualities there afterwards.
+  [[nodiscard]] Outcome propose(const Vec3& step);
 
   /// The lengths of the edges from the place proposed; valid until the next propose().
   [[nodiscard]] std::span<const double> new_lengths();

@@ -206,5 +206,16 @@ TEST(Adapt, MendsWhatItCanAndSaysSo) {
   test::expect_same_sums(test::volumes(result.mesh), test::volumes(sound), "region");
 }
 
+// Next to large triangles that stay no mesh is unit: insertion and collapse, repair and relocation undo each other.
+TEST(Rounds, EndWhenTheyGoInCircles) {
+  const Mesh mesh = test::cube(4);
+  const AdaptResult result = adapt(mesh, Sizes(mesh.points.size(), 0.06), {.surface = Surface::fixed});
+  test::expect_faithful(result, mesh);
+  EXPECT_LT(result.report.rounds, 12);
+  std::size_t operations = 0;
+  for (const PassReport& pass : result.report.passes) operations += pass.accepted;
+  EXPECT_LT(operations, 4 * result.mesh.tetrahedra.size());
+}
+
 }  // namespace
 }  // namespace taut
