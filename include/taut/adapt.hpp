@@ -74,7 +74,7 @@ struct Report {
   std::size_t reoriented = 0;        ///< inverted tetrahedra of the input that were reoriented
   std::size_t triangles_built = 0;   ///< boundary and interface triangles that were missing from the input
   std::size_t triangles_frozen = 0;  ///< triangles kept as they are: not planar, required, or all if Surface::fixed
-  std::uint64_t hash = 0;            ///< of points, tetrahedra and triangles of the result; equal hashes, equal bits
+  std::uint64_t hash = 0;            ///< of all arrays of the mesh and of its metric; equal hashes, equal bits
   Quality quality;                   ///< of the result in `AdaptResult::metric`
 };
 

@@ -1,43 +1,13 @@
 #include "adapt/result.hpp"
 
 #include <algorithm>
-#include <bit>
 
+#include "adapt/hash.hpp"
 #include "base/parallel.hpp"
 #include "geometry/surface_edges.hpp"
 
 namespace taut {
 namespace {
-
-class Fnv1a {
-public:
-  void mix(std::uint64_t word) { hash_ = (hash_ ^ word) * 1099511628211U; }
-  void mix(double x) { mix(std::bit_cast<std::uint64_t>(x)); }
-  void mix(Index i) { mix(std::uint64_t{i}); }
-  Fnv1a& operator+=(const Fnv1a& other) {
-    mix(other.hash_);
-    return *this;
-  }
-  [[nodiscard]] std::uint64_t value() const { return hash_; }
-
-private:
-  std::uint64_t hash_ = 14695981039346656037U;
-};
-
-// The hash of the hashes of the parts, which can be computed in parallel.
-template <class Tuple>
-Fnv1a hash_of(const std::vector<Tuple>& tuples) {
-  return sum_in_order<Fnv1a>(tuples.size(), [&](Fnv1a& hash, std::size_t i) {
-    for (const auto& entry : tuples[i]) hash.mix(entry);
-  });
-}
-
-std::uint64_t hash_of(const Mesh& mesh) {
-  Fnv1a hash = hash_of(mesh.points);
-  hash += hash_of(mesh.tetrahedra);
-  hash += hash_of(mesh.triangles);
-  return hash.value();
-}
 
 void assemble_vertices(const Session& session, const Mesh& input, AdaptResult& result) {
   const TetMesh& work = session.mesh;
@@ -132,7 +102,7 @@ void assemble(const Session& session, const Mesh& input, AdaptResult& result) {
   assemble_tets(session, result.mesh);
   assemble_triangles(session, result.mesh);
   assemble_edges(session, result);
-  result.report.hash = hash_of(result.mesh);
+  result.report.hash = hash_of(result.mesh, result.metric);
   result.report.quality = measure(result.mesh, Metric{result.metric});
 }
 
