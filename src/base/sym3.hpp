@@ -18,16 +18,13 @@ constexpr Sym3 operator*(double s, const Sym3& a) {
   return {s * a[0], s * a[1], s * a[2], s * a[3], s * a[4], s * a[5]};
 }
 
-/// e^T M e.
-constexpr double quadratic_form(const Sym3& m, const Vec3& e) {
-  return m[0] * e[0] * e[0] + m[3] * e[1] * e[1] + m[5] * e[2] * e[2] +
-         2 * (m[1] * e[0] * e[1] + m[2] * e[0] * e[2] + m[4] * e[1] * e[2]);
-}
-
-/// The same from single numbers, by Horner's rule: for loops over arrays that the compiler is to vectorise.
+/// e^T M e, by Horner's rule; from single numbers, for loops over arrays that the compiler vectorises.
 constexpr double quadratic_form(double m0, double m1, double m2, double m3, double m4, double m5, double x, double y,
                                 double z) {
   return (m0 * x + 2 * (m1 * y + m2 * z)) * x + (m3 * y + 2 * (m4 * z)) * y + m5 * z * z;
+}
+constexpr double quadratic_form(const Sym3& m, const Vec3& e) {
+  return quadratic_form(m[0], m[1], m[2], m[3], m[4], m[5], e[0], e[1], e[2]);
 }
 
 constexpr Vec3 operator*(const Sym3& m, const Vec3& e) {

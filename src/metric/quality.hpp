@@ -36,18 +36,6 @@ inline double mean_ratio(const Vec3& p0, const Vec3& p1, const Vec3& p2, const V
   return std::copysign(12 * root * root, root) / sum_of_squared_lengths(p0, p1, p2, p3, m);
 }
 
-/// The mean ratio in the metric with the largest determinant among the four vertices, as the benchmarks of the
-/// Unstructured Grid Adaptation Working Group define it.
-inline double mean_ratio_ugawg(const Vec3& p0, const Vec3& p1, const Vec3& p2, const Vec3& p3, const Sym3& m0,
-                               const Sym3& m1, const Sym3& m2, const Sym3& m3) {
-  const Sym3* largest = &m0;
-  double det = determinant_spd(m0);
-  for (const Sym3* m : {&m1, &m2, &m3}) {
-    if (const double other = determinant_spd(*m); other > det) det = other, largest = m;
-  }
-  return mean_ratio(p0, p1, p2, p3, *largest);
-}
-
 /// Contribution of an edge of length l to the efficiency index, eq. (2): tau = exp(mean of phi over all edges).
 constexpr double efficiency_phi(double l) {
   return l < 1 ? l - 1 : 1 / l - 1;

@@ -17,7 +17,7 @@ double shape(const Tet& t, const Sym3& m) {
   return shape_quality(t[0], t[1], t[2], t[3], m, m, m, m);
 }
 double ratio(const Tet& t, const Sym3& m) {
-  return mean_ratio_ugawg(t[0], t[1], t[2], t[3], m, m, m, m);
+  return mean_ratio(t[0], t[1], t[2], t[3], m);
 }
 
 TEST(ShapeQuality, OfTheRegularTetrahedronIsOne) {
@@ -74,14 +74,6 @@ TEST(ShapeQuality, TurnsAndScalesWithTheMetric) {
 
 TEST(ShapeQuality, OfAFlatTetrahedronIsZero) {
   EXPECT_EQ(shape({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}}, identity3), 0);
-}
-
-TEST(MeanRatio, TakesTheMetricOfLargestDeterminant) {
-  const Sym3 fine = {100, 0, 0, 1, 0, 1};
-  const auto& [a, b, c, d] = corner;
-  const double expected = mean_ratio(a, b, c, d, fine);
-  EXPECT_DOUBLE_EQ(mean_ratio_ugawg(a, b, c, d, identity3, identity3, fine, identity3), expected);
-  EXPECT_DOUBLE_EQ(mean_ratio_ugawg(a, b, c, d, fine, identity3, identity3, identity3), expected);
 }
 
 TEST(Efficiency, FallsOffOnBothSidesOfUnitLength) {

@@ -5,6 +5,7 @@
 
 #include "base/with_threads.hpp"
 #include "mesh/grid.hpp"
+#include "metric/quality.hpp"
 #include "metric/random_metrics.hpp"
 #include "taut/error.hpp"
 #include "taut/quality.hpp"
@@ -140,6 +141,20 @@ TEST(Measure, RefusesWhatDoesNotFit) {
   Mesh broken = corner;
   broken.tetrahedra[0][2] = 4;
   EXPECT_THROW((void)measure(broken, Sizes(4, 1.0)), InputError);
+}
+
+// As the benchmarks of the Unstructured Grid Adaptation Working Group define it.
+TEST(Measure, TakesTheMeanRatioInTheFinestMetric) {
+  Mesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  mesh.tetrahedra = {{0, 1, 2, 3}};
+  const Sym3 fine = {100, 0, 0, 1, 0, 1};
+  const auto& p = mesh.points;
+  for (std::size_t at = 0; at < 4; ++at) {
+    Tensors metric(4, identity3);
+    metric[at] = fine;
+    EXPECT_DOUBLE_EQ(measure(mesh, metric).mean_ratio_min, mean_ratio(p[0], p[1], p[2], p[3], fine));
+  }
 }
 
 }  // namespace
