@@ -44,6 +44,10 @@ AdaptResult adapt_files(const AdaptJob& job, const Interrupt& interrupt) {
     line.show(progress);
     return !interrupt.requested();
   };
+  options.expecting = [&](double tetrahedra) {
+    line.show_expected(tetrahedra);
+    return !interrupt.requested();
+  };
   AdaptResult result =
       with_files(job.input, job.size ? "--size" : job.metric, [&] { return adapt(mesh, metric, options); });
   result.report.seconds.emplace(result.report.seconds.begin(), "read", seconds);

@@ -61,7 +61,8 @@ Json json_of(const Report& report) {
   Json passes = Json::array(), seconds = Json::object();
   for (const PassReport& pass : report.passes) passes.push_back(json_of(pass));
   for (const auto& [phase, time] : report.seconds) seconds[phase] = time;
-  return {{"rounds", report.rounds},
+  return {{"expected_tetrahedra", report.expected_tetrahedra},
+          {"rounds", report.rounds},
           {"threads", report.threads},
           {"blocks", report.blocks},
           {"cancelled", report.cancelled},

@@ -25,4 +25,10 @@ void ProgressLine::show(const Progress& progress) {
   std::fflush(stderr);
 }
 
+void ProgressLine::show_expected(double tetrahedra) {
+  if (!shown_) return;
+  fmt::print(stderr, "{}about {:.3g} tetrahedra expected\n", wiped, tetrahedra);
+  std::fflush(stderr);
+}
+
 }  // namespace taut::program

@@ -14,6 +14,7 @@ public:
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(const Progress& progress);
+  void show_expected(double tetrahedra);
 
 private:
   bool shown_;

@@ -40,6 +40,9 @@ struct AdaptOptions {
   double ridge_angle = 45;  ///< degrees; an edge is a ridge if the normals of its two triangles differ by this or more
   int max_rounds = 40;      ///< the adaptation ends earlier once a round gains less than it costs
   ProgressCallback progress{};
+  /// Called once before the first round, with about how many tetrahedra the result will have: more if a metric function
+  /// is finer between the points of the input. If it returns false, the mesh is returned as it is.
+  std::function<bool(double tetrahedra)> expecting{};
   /// Largest number of threads; 0: as many as the caller's oneTBB task arena has, by default one per core. The result
   /// does not depend on it.
   int threads = 0;
@@ -71,6 +74,7 @@ struct Report {
   /// (patches, ridges, corners), "metric" (evaluation, hmin and hmax, gradation), "cut" (into blocks, in all rounds),
   /// "order" (renumbering between rounds and at the end), "result" (arrays, hash and quality).
   std::vector<std::pair<std::string, double>> seconds;
+  double expected_tetrahedra = 0;    ///< about how many the metric at the points of the input asks for
   std::size_t reoriented = 0;        ///< inverted tetrahedra of the input that were reoriented
   std::size_t triangles_built = 0;   ///< boundary and interface triangles that were missing from the input
   std::size_t triangles_frozen = 0;  ///< triangles kept as they are: not planar, required, or all if Surface::fixed

@@ -14,6 +14,8 @@ AdaptResult adapt_here(const Mesh& mesh, const Metric& metric, const AdaptOption
   AdaptResult result;
   result.report.threads = worker_count();
   Session session = set_up(mesh, metric, options, result.report);
+  const bool go_on = !options.expecting || options.expecting(result.report.expected_tetrahedra);
+  result.report.cancelled = !go_on;
   run_rounds(session, {.most = options.max_rounds, .block_size = options.block_size}, options.progress, result.report);
   session.target.reset();
   const Stopwatch watch;

@@ -28,6 +28,7 @@ constexpr double disorder_while_growing = 1.5, disorder_at_rest = 1.1;
 // the vertices that came and went in two rounds cancel out up to a share. Swaps come every second round: so do the
 // rounds compared.
 constexpr double circling = 0.01, still_changing = 0.8, cancelled_out = 0.25;
+constexpr int circles_allowed = 4;  // they still mend the worst elements
 
 constexpr double edges_per_tet = 1.19;  // of a mesh of good tetrahedra with some boundary
 
@@ -39,12 +40,14 @@ public:
   void run() {
     tets_when_ordered_ = mesh_.tet_count();
     Gain gain, last, before_last;
+    int circles = 0;
     for (round_ = 0; round_ < rules_.most && !report_.cancelled; ++round_) {
       before_last = std::exchange(last, std::exchange(gain, round()));
       ++report_.rounds;
       if (is_disordered(gain)) put_in_order();
       if (round_ > 0 && is_settled(gain, last)) break;
-      if (round_ > 2 && goes_in_circles(gain, last, before_last)) break;
+      circles = round_ > 2 && goes_in_circles(gain, last, before_last) ? circles + 1 : 0;
+      if (circles == circles_allowed) break;
     }
     round_ = static_cast<int>(report_.rounds) - 1;
     if (round_ >= 0 && rules_.passes.repair) pass(passes_.tallies().repair, [&] { passes_.mend(repair_rules()); });

@@ -10,6 +10,7 @@
 #include "mesh/build.hpp"
 #include "mesh/edges.hpp"
 #include "metric/field.hpp"
+#include "sizing/complexity.hpp"
 #include "sizing/gradation.hpp"
 #include "sizing/truncation.hpp"
 
@@ -69,6 +70,14 @@ void count_mended(const Built& built, const Model& model, Report& report) {
   for (const Triangle& t : built.mesh.triangles) report.triangles_frozen += model.patches[t.patch].frozen() ? 1 : 0;
 }
 
+// The estimate may be too low, never far too high: beyond the ids, no memory would do either.
+double require_ids_for(double tetrahedra) {
+  if (tetrahedra < static_cast<double>(TetMesh::most_tets)) return tetrahedra;
+  throw InputError(
+      fmt::format("metric: about {:.2g} tetrahedra needed, expected fewer than {}: 32-bit ids cannot number them",
+                  tetrahedra, TetMesh::most_tets));
+}
+
 }  // namespace
 
 Session set_up(const Mesh& mesh, const Metric& metric, const AdaptOptions& options, Report& report) {
@@ -92,6 +101,7 @@ Session set_up(const Mesh& mesh, const Metric& metric, const AdaptOptions& optio
                   std::move(built.vertex_of_point),
                   inverse(built.tet_of_input)};
   session.measure_qualities();
+  report.expected_tetrahedra = require_ids_for(expected_tetrahedra(session.mesh));
   report.seconds.emplace_back("metric", metric_watch.seconds());
   return session;
 }

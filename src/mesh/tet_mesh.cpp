@@ -9,8 +9,6 @@
 namespace taut {
 namespace {
 
-// A link packs 4 t + f and one bit that distinguishes triangles from tetrahedra.
-constexpr std::size_t most_tets = std::size_t{1} << 29;
 constexpr std::size_t most_triangles = std::size_t{1} << 30;
 constexpr std::size_t most_vertices = std::size_t{1} << 31;
 
@@ -49,7 +47,7 @@ void TetMesh::resize_vertices(std::size_t count) {
 }
 
 void TetMesh::resize_tets(std::size_t count) {
-  require_ids("tetrahedra", count, most_tets);
+  require_ids("tetrahedra", count, TetMesh::most_tets);
   for_each_tet_array(*this, [&](auto& array, const auto& dead) { array.resize(count, dead); });
 }
 

@@ -60,6 +60,9 @@ struct Triangle {
 /// Ids are recycled through free lists. A dead entity has `none` as its first vertex; a dead vertex has no tetrahedron.
 class TetMesh {
 public:
+  /// A link packs 4 t + f beside one bit that tells triangles from tetrahedra.
+  static constexpr std::size_t most_tets = std::size_t{1} << 29;
+
   std::vector<Vertex> vertices;
   std::vector<TetId> tet_of_vertex;  ///< some tetrahedron of each vertex; `none` for a dead one
   std::vector<Tag> tag_of_vertex;

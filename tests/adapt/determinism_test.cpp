@@ -43,7 +43,7 @@ std::vector<Case> cases() {
   return {
       {"front", 0x9061d39ea00361a9U, cube, test::front(0.3, 0.6), {}},
       sampled("front_on_the_input", 0x581575bd9042de04U, cube, test::front(0.3, 0.6)),
-      sampled("front_under_a_fixed_surface", 0xe624a7f1e854cf7dU, cube, test::front(0.3, 0.6), fixed),
+      sampled("front_under_a_fixed_surface", 0xd6f40822720e2a38U, cube, test::front(0.3, 0.6), fixed),
       {"refinement", 0xe6d965ffff1d3485U, cube, test::uniform(0.08), {}},
       {"coarsening", 0x57221702beefb444U, fine, test::uniform(0.2), {}},
       sampled("coarsening_behind_a_front", 0x9406ffc4292fd9afU, fine, test::front(0.4, 0.9)),

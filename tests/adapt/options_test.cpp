@@ -172,6 +172,35 @@ TEST(Adapt, TheCallbackSeesEveryPassAndItsCountsAddUp) {
   EXPECT_EQ(silent.report.hash, result.report.hash) << "a callback changes nothing";
 }
 
+TEST(Adapt, SaysHowManyTetrahedraToExpectBeforeItBegins) {
+  const Mesh mesh = cube(4);
+  double expected = 0;
+  AdaptOptions options;
+  options.expecting = [&](double tetrahedra) {
+    expected = tetrahedra;
+    return true;
+  };
+  const AdaptResult result = adapt(mesh, Sizes(mesh.points.size(), 0.07), options);
+  EXPECT_EQ(expected, result.report.expected_tetrahedra);
+  EXPECT_NEAR(expected, static_cast<double>(result.mesh.tetrahedra.size()), 0.1 * expected);
+  options.expecting = [](double) { return false; };
+  const AdaptResult cancelled = adapt(mesh, Sizes(mesh.points.size(), 0.07), options);
+  EXPECT_TRUE(cancelled.report.cancelled);
+  EXPECT_EQ(cancelled.mesh.tetrahedra.size(), mesh.tetrahedra.size());
+}
+
+TEST(Adapt, RefusesMoreTetrahedraThanIdsBeforeItBegins) {
+  const Mesh mesh = cube(4);
+  for (const double size : {1e-4, 1e-9}) {
+    try {
+      (void)adapt(mesh, test::uniform(size));
+      FAIL();
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("tetrahedra needed, expected fewer than 536870912"), std::string::npos);
+    }
+  }
+}
+
 TEST(Adapt, CancellingGivesBackAValidMesh) {
   Mesh mesh = test::two_regions(4);
   test::jitter(mesh, 0.04, 1);

@@ -1,0 +1,14 @@
+// How many tetrahedra a metric asks for.
+#pragma once
+
+#include "mesh/tet_mesh.hpp"
+
+namespace taut {
+
+/// About how many tetrahedra a mesh has that is unit in the metric at the vertices of `mesh`: 10 per unit of
+/// complexity, the integral of sqrt(det M) (measured; regular tetrahedra of unit edges would be 8.5). The metric is
+/// taken at the middle of each tetrahedron, log-Euclidean, so that one small size at a vertex does not count for all
+/// around it.
+[[nodiscard]] double expected_tetrahedra(const TetMesh& mesh);
+
+}  // namespace taut
