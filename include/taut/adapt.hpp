@@ -20,10 +20,11 @@ namespace taut {
 
 /// What one pass did. A pass applies one kind of operation to the whole mesh; a round is a sequence of passes.
 struct Progress {
-  int round = 0;                             ///< counted from 0
-  const char* pass = "";                     ///< "insert", "collapse", "swap" (edges and faces), "repair", "relocate"
-  std::size_t vertices = 0, tetrahedra = 0;  ///< of the mesh after the pass
-  std::size_t accepted = 0;                  ///< operations that the pass did
+  int round = 0;               ///< counted from 0
+  const char* pass = "";       ///< "insert", "collapse", "swap" (edges and faces), "repair", "relocate"
+  std::size_t vertices = 0;    ///< of the mesh after the pass
+  std::size_t tetrahedra = 0;  ///< of the mesh after the pass
+  std::size_t accepted = 0;    ///< operations that the pass did
 };
 
 /// Called after each pass. If it returns false, the adaptation ends and returns the mesh as it is then, which is valid.
@@ -31,7 +32,7 @@ using ProgressCallback = std::function<bool(const Progress&)>;
 
 /// How a mesh is adapted. The defaults suit most meshes.
 struct AdaptOptions {
-  Surface surface = Surface::adapt;
+  Surface surface = Surface::adapt;                       ///< what may change on the boundary and between regions
   double hmin = 0;                                        ///< smallest size: smaller ones in the metric become hmin
   double hmax = std::numeric_limits<double>::infinity();  ///< largest size: larger ones in the metric become hmax
   /// Largest factor (> 1) by which sizes may grow per unit length; none: no limit. Gradation samples a metric function
@@ -39,7 +40,7 @@ struct AdaptOptions {
   std::optional<double> gradation{};
   double ridge_angle = 45;  ///< degrees; an edge is a ridge if the normals of its two triangles differ by this or more
   int max_rounds = 40;      ///< the adaptation ends earlier once a round gains less than it costs
-  ProgressCallback progress{};
+  ProgressCallback progress{};  ///< may end the adaptation after each pass
   /// Called once before the first round, with about how many tetrahedra the result will have: more if a metric function
   /// is finer between the points of the input. If it returns false, the mesh is returned as it is.
   std::function<bool(double tetrahedra)> expecting{};
@@ -65,11 +66,11 @@ struct PassReport {
 
 /// What an adaptation did, and how good the result is.
 struct Report {
-  std::size_t rounds = 0;
-  int threads = 1;         ///< number of threads that the run could use
-  std::size_t blocks = 0;  ///< number of blocks in the last round
-  bool cancelled = false;  ///< the progress callback returned false
-  std::vector<PassReport> passes;
+  std::size_t rounds = 0;          ///< number of rounds done
+  int threads = 1;                 ///< number of threads that the run could use
+  std::size_t blocks = 0;          ///< number of blocks in the last round
+  bool cancelled = false;          ///< a callback returned false
+  std::vector<PassReport> passes;  ///< one entry per kind of pass
   /// Elapsed time by phase, in this order, outside the passes: "build" (checks, adjacency, first ordering), "geometry"
   /// (patches, ridges, corners), "metric" (evaluation, hmin and hmax, gradation), "cut" (into blocks, in all rounds),
   /// "order" (renumbering between rounds and at the end), "result" (arrays, hash and quality).
@@ -90,9 +91,9 @@ struct Host {
 
 /// The adapted mesh, and how it relates to the input.
 struct AdaptResult {
-  static constexpr Index gone = std::numeric_limits<Index>::max();
-  Mesh mesh;
-  Tensors metric;                 ///< at the points of `mesh`
+  static constexpr Index gone = std::numeric_limits<Index>::max();  ///< the index of a point that was removed
+  Mesh mesh;                                                        ///< the adapted mesh
+  Tensors metric;                                                   ///< at the points of `mesh`
   std::vector<Host> hosts;        ///< of the points of `mesh`: what interpolates any field on the input
   std::vector<Index> new_of_old;  ///< for each point of the input its index in `mesh`, or `gone`
   Report report;                  ///< what the adaptation did

@@ -18,18 +18,27 @@ namespace taut {
 /// for a flat one. The mean ratio Q^(-2/3) is 1 for a regular tetrahedron, 0 for a flat one; it uses the metric with
 /// the largest determinant among the four vertices, as the Unstructured Grid Adaptation Working Group (UGAWG) does.
 struct Quality {
-  std::size_t vertices = 0, edges = 0, triangles = 0, tetrahedra = 0;
-  double volume = 0;
-  double complexity = 0;  ///< integral of sqrt(det M) over the mesh
-  double tau = 0;         ///< efficiency index, eq. (2) of the paper: 1 is perfect, about 0.944 is reachable
-  double unit_edges = 0;  ///< share of the edges with length in [1/sqrt 2, sqrt 2]
-  double length_min = 0, length_max = 0;
-  double Q_max = 0, Q_mean = 0, Q_up_to_2 = 0, Q_up_to_3 = 0;  ///< the last two: share of the tetrahedra
-  double mean_ratio_min = 0, mean_ratio_mean = 0;
+  std::size_t vertices = 0;    ///< number of points
+  std::size_t edges = 0;       ///< number of edges of tetrahedra
+  std::size_t triangles = 0;   ///< number of triangles that the mesh lists
+  std::size_t tetrahedra = 0;  ///< number of tetrahedra
+  double volume = 0;           ///< sum over the tetrahedra
+  double complexity = 0;       ///< integral of sqrt(det M) over the mesh
+  double tau = 0;              ///< efficiency index, eq. (2) of the paper: 1 is perfect, about 0.944 is reachable
+  double unit_edges = 0;       ///< share of the edges with length in [1/sqrt 2, sqrt 2]
+  double length_min = 0;       ///< length of the shortest edge
+  double length_max = 0;       ///< length of the longest edge
+  double Q_max = 0;            ///< Q of the worst tetrahedron
+  double Q_mean = 0;           ///< mean of Q over the tetrahedra
+  double Q_up_to_2 = 0;        ///< share of the tetrahedra with Q of at most 2
+  double Q_up_to_3 = 0;        ///< share of the tetrahedra with Q of at most 3
+  double mean_ratio_min = 0;   ///< mean ratio of the worst tetrahedron
+  double mean_ratio_mean = 0;  ///< mean of the mean ratio over the tetrahedra
 
   /// Bounds of the classes of `length_histogram`.
   static constexpr std::array<double, 10> length_bounds = {
       0, 0.3, 0.6, 0.70710678118654752, 0.9, 1.3, 1.41421356237309505, 2, 5, std::numeric_limits<double>::infinity()};
+  /// Bounds of the classes of `Q_histogram`.
   static constexpr std::array<double, 8> Q_bounds = {1, 1.25, 1.5, 2,
                                                      3, 5,    10,  std::numeric_limits<double>::infinity()};
   std::array<std::size_t, 9> length_histogram{};  ///< edges with length in [bounds[i], bounds[i+1])
