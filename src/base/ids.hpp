@@ -5,7 +5,6 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <ranges>
 #include <type_traits>
 
 namespace taut {
@@ -36,11 +35,36 @@ struct None {
 };
 inline constexpr None none{};
 
+/// A range of ids, ascending. (The views of the standard library do not compile with clang 14 and libstdc++ 12.)
+template <class Id>
+class IdRange {
+public:
+  class Iterator {
+  public:
+    constexpr explicit Iterator(std::uint32_t at) : at_(at) {}
+    constexpr Id operator*() const { return static_cast<Id>(at_); }
+    constexpr Iterator& operator++() {
+      ++at_;
+      return *this;
+    }
+    constexpr bool operator==(const Iterator&) const = default;
+
+  private:
+    std::uint32_t at_;
+  };
+
+  constexpr explicit IdRange(std::size_t count) : count_(static_cast<std::uint32_t>(count)) {}
+  [[nodiscard]] constexpr Iterator begin() const { return Iterator(0); }
+  [[nodiscard]] constexpr Iterator end() const { return Iterator(count_); }
+
+private:
+  std::uint32_t count_;
+};
+
 /// The ids 0 to count - 1.
 template <class Id>
-[[nodiscard]] constexpr auto ids(std::size_t count) {
-  return std::views::iota(std::size_t{0}, count) |
-         std::views::transform([](std::size_t i) { return static_cast<Id>(i); });
+[[nodiscard]] constexpr IdRange<Id> ids(std::size_t count) {
+  return IdRange<Id>(count);
 }
 
 /// The ids as plain numbers.
