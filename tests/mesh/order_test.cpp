@@ -80,8 +80,8 @@ TEST(Reorder, KeepsTheMeshAndDropsTheDead) {
   TetMesh mesh = build(input).mesh;
   const auto before = test::canonical(mesh);
   for (const VertexId v : ids<VertexId>(mesh.vertices.size())) {  // to be recognised
-    mesh.host_of_vertex[v] = CellId{v};
-    mesh.tag_of_vertex[v] = Tag::on_patch(PatchId{v});
+    mesh.host_of_vertex[v] = static_cast<CellId>(v);
+    mesh.tag_of_vertex[v] = Tag::on_patch(static_cast<PatchId>(v));
     mesh.vertices[v].m = {mesh.x(v)[0], mesh.x(v)[1], mesh.x(v)[2], 0, 0, 0};
     mesh.state_of_vertex[v].drift = static_cast<float>(mesh.x(v)[1]);
     mesh.state_of_vertex[v].restless = mesh.x(v)[0] > 0.5;
@@ -99,7 +99,7 @@ TEST(Reorder, KeepsTheMeshAndDropsTheDead) {
   for (const VertexId v : ids<VertexId>(mesh.vertices.size())) {
     EXPECT_EQ(mesh.x(v), input.points[mesh.origin_of_vertex[v]]);
     EXPECT_EQ(mesh.origin_of_vertex[v], origin[mesh.host_of_vertex[v]]);
-    EXPECT_EQ(mesh.tag_of_vertex[v], Tag::on_patch(PatchId{mesh.host_of_vertex[v]}));
+    EXPECT_EQ(mesh.tag_of_vertex[v], Tag::on_patch(static_cast<PatchId>(mesh.host_of_vertex[v])));
     EXPECT_EQ(mesh.vertices[v].m[2], mesh.x(v)[2]);
     EXPECT_EQ(mesh.state_of_vertex[v].drift, static_cast<float>(mesh.x(v)[1]));
     EXPECT_EQ(mesh.state_of_vertex[v].restless, mesh.x(v)[0] > 0.5);

@@ -92,7 +92,7 @@ TEST(Target, ReproducesFieldsThatAreLinearInTheLogarithm) {
       const Vec3 x =
           point_in(mesh, static_cast<TetId>(random.uniform(0, static_cast<double>(mesh.tets.size()))), random);
       EXPECT_LT(distance(target.at(x, host), field(x)), 1e-11);
-      EXPECT_TRUE(contains(mesh, TetId{host}, x));
+      EXPECT_TRUE(contains(mesh, static_cast<TetId>(host), x));
     }
   }
 }
@@ -142,9 +142,9 @@ TEST_P(TargetOnDomains, FindsItsWay) {
     const auto from = static_cast<TetId>(random.uniform(0, static_cast<double>(mesh.tets.size())));
     const auto to = static_cast<TetId>(random.uniform(0, static_cast<double>(mesh.tets.size())));
     const Vec3 x = point_in(mesh, to, random);
-    CellId host{from};
+    auto host = static_cast<CellId>(from);
     EXPECT_LT(distance(target.at(x, host), field(x)), 1e-11) << "from " << from << " to " << to;
-    EXPECT_TRUE(contains(mesh, TetId{host}, x));
+    EXPECT_TRUE(contains(mesh, static_cast<TetId>(host), x));
   }
 }
 
