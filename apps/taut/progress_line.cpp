@@ -27,7 +27,7 @@ void ProgressLine::show(const Progress& progress) {
 
 void ProgressLine::show_expected(double tetrahedra) {
   if (!shown_) return;
-  fmt::print(stderr, "{}about {:.3g} tetrahedra expected\n", wiped, tetrahedra);
+  fmt::print(stderr, "{}about {:.3g} tetrahedra expected", wiped, tetrahedra);
   std::fflush(stderr);
 }
 

@@ -21,6 +21,7 @@ std::vector<std::uint8_t> required_triangles(const Mesh& input, const Built& bui
 
 std::vector<InnerEdge> inner_edges(const TetMesh& mesh, const std::vector<Feature>& features) {
   std::vector<InnerEdge> edges;
+  edges.reserve(features.size());
   for (const Feature& f : features)
     edges.push_back({{mesh.origin_of_vertex[f.edge[0]], mesh.origin_of_vertex[f.edge[1]]}, f.ref, f.sharp, f.required});
   return edges;
