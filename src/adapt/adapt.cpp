@@ -1,5 +1,7 @@
 #include "taut/adapt.hpp"
 
+#include <utility>
+
 #include "adapt/result.hpp"
 #include "adapt/rounds.hpp"
 #include "adapt/setup.hpp"
@@ -17,9 +19,8 @@ AdaptResult adapt_here(const Mesh& mesh, const Metric& metric, const AdaptOption
   const bool go_on = !options.expecting || options.expecting(result.report.expected_tetrahedra);
   result.report.cancelled = !go_on;
   run_rounds(session, {.most = options.max_rounds, .block_size = options.block_size}, options.progress, result.report);
-  session.target.reset();
   const Stopwatch watch;
-  assemble(session, mesh, result);
+  assemble(std::move(session), mesh, result);
   result.report.seconds.emplace_back("result", watch.seconds());
   return result;
 }

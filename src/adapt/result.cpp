@@ -96,9 +96,11 @@ void assemble_edges(const Session& session, AdaptResult& result) {
 
 }  // namespace
 
-void assemble(const Session& session, const Mesh& input, AdaptResult& result) {
-  assemble_vertices(session, input, result);
+void assemble(Session session, const Mesh& input, AdaptResult& result) {
+  session.target.reset();
   assemble_hosts(session, input, result.hosts);
+  session.background.reset();  // as large as the mesh: its memory is the result's now
+  assemble_vertices(session, input, result);
   assemble_tets(session, result.mesh);
   assemble_triangles(session, result.mesh);
   assemble_edges(session, result);

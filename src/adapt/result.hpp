@@ -6,7 +6,8 @@
 
 namespace taut {
 
-/// Fills mesh, metric, hosts, new_of_old and the report's hash and quality. The mesh must be without dead entities.
-void assemble(const Session& session, const Mesh& input, AdaptResult& result);
+/// Fills mesh, metric, hosts, new_of_old and the report's hash and quality. The mesh must be without dead entities. The
+/// session ends here, so that its memory can go to the result.
+void assemble(Session session, const Mesh& input, AdaptResult& result);
 
 }  // namespace taut
