@@ -6,26 +6,11 @@
 
 #include "taut/error.hpp"
 #include "taut/export.hpp"
+#include "taut/field.hpp"
 #include "taut/mesh.hpp"
 #include "taut/metric.hpp"
 
 namespace taut {
-
-/// One solution field at the vertices of a mesh. `values` holds `size()` numbers per vertex: vectors in the order of
-/// the file, tensors in the order of taut::Tensor.
-struct Field {
-  /// What stands at each vertex. The numbers are those of the file format.
-  enum class Kind {
-    scalar = 1,  ///< one number
-    vector = 2,  ///< three numbers
-    tensor = 3,  ///< six numbers, symmetric
-  };
-  Kind kind = Kind::scalar;    ///< of every vertex
-  std::vector<double> values;  ///< vertex by vertex
-
-  /// Numbers per vertex.
-  [[nodiscard]] std::size_t size() const { return kind == Kind::scalar ? 1 : kind == Kind::vector ? 3 : 6; }
-};
 
 /// Reads a tetrahedral mesh. Unknown keywords are skipped. Throws InputError, which names the file and the keyword,
 /// line or index, if the file cannot be read or an index is out of range.

@@ -3,6 +3,8 @@
 
 #include "taut/adapt.hpp"
 #include "taut/error.hpp"
+#include "taut/field.hpp"
+#include "taut/gradation.hpp"
 #include "taut/io.hpp"
 #include "taut/mesh.hpp"
 #include "taut/metric.hpp"
