@@ -9,6 +9,7 @@
 #include "interrupt.hpp"
 #include "json.hpp"
 #include "progress_line.hpp"
+#include "solution.hpp"
 #include "stopwatch.hpp"
 #include "table.hpp"
 #include "taut/taut.hpp"
@@ -52,13 +53,6 @@ AdaptResult adapt_files(const AdaptJob& job, const Interrupt& interrupt) {
       with_files(job.input, job.size ? "--size" : job.metric, [&] { return adapt(mesh, metric, options); });
   result.report.seconds.emplace(result.report.seconds.begin(), "read", seconds);
   return result;
-}
-
-Field field_of(const Tensors& metric) {
-  Field field{.kind = Field::Kind::tensor, .values = {}};
-  field.values.reserve(6 * metric.size());
-  for (const Tensor& m : metric) field.values.insert(field.values.end(), m.begin(), m.end());
-  return field;
 }
 
 // The report is written last, because it holds the seconds that writing took.

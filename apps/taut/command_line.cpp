@@ -54,6 +54,7 @@ void run(int argc, char** argv) {
       "Files: Gamma Mesh Format, .mesh and .sol (text), .meshb and .solb (binary).");
   Job job;
   add_adapt(app, job);
+  add_metric(app, job);
   add_quality(app, job);
   if (parse(app, argc, argv)) job();
 }

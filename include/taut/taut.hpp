@@ -9,6 +9,7 @@
 #include "taut/mesh.hpp"
 #include "taut/metric.hpp"
 #include "taut/quality.hpp"
+#include "taut/sizing.hpp"
 #include "taut/surface.hpp"
 #include "taut/threads.hpp"
 #include "taut/version.hpp"

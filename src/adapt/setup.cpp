@@ -27,11 +27,14 @@ void require_options(const AdaptOptions& o) {
 
 namespace {
 
+Limits bounds_of(const AdaptOptions& options) {
+  return {.hmin = options.hmin, .hmax = options.hmax};
+}
+
 std::vector<Sym3> limited_metric(const Mesh& mesh, const Metric& metric, const AdaptOptions& options) {
   std::vector<Sym3> metrics = tensors_at(mesh, metric);
   const auto truncate_all = [&] {
-    for_each_index(metrics.size(),
-                   [&](std::size_t v) { metrics[v] = truncate(metrics[v], options.hmin, options.hmax); });
+    for_each_index(metrics.size(), [&](std::size_t v) { metrics[v] = truncate(metrics[v], bounds_of(options)); });
   };
   truncate_all();
   if (!options.gradation) return metrics;
@@ -54,7 +57,7 @@ std::unique_ptr<const Target> make_target(const Metric& metric, const AdaptOptio
                                           const Background& background, const std::vector<Sym3>& metrics) {
   const auto* function = std::get_if<MetricFunction>(&metric);
   if (function == nullptr || options.gradation) return std::make_unique<Target>(background, metrics);
-  return std::make_unique<Target>(*function, options.hmin, options.hmax);
+  return std::make_unique<Target>(*function, bounds_of(options));
 }
 
 std::vector<std::uint32_t> inverse(const std::vector<TetId>& tet_of_input) {

@@ -18,6 +18,11 @@ constexpr Sym3 operator*(double s, const Sym3& a) {
   return {s * a[0], s * a[1], s * a[2], s * a[3], s * a[4], s * a[5]};
 }
 
+/// d d^T.
+constexpr Sym3 outer(const Vec3& d) {
+  return {d[0] * d[0], d[0] * d[1], d[0] * d[2], d[1] * d[1], d[1] * d[2], d[2] * d[2]};
+}
+
 /// e^T M e, by Horner's rule; from single numbers, for loops over arrays that the compiler vectorises.
 constexpr double quadratic_form(double m0, double m1, double m2, double m3, double m4, double m5, double x, double y,
                                 double z) {

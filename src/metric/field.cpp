@@ -43,7 +43,7 @@ std::vector<Sym3> evaluate(const Mesh& mesh, const Sizes& sizes) {
 
 std::vector<Sym3> evaluate(const Mesh& mesh, const Tensors& tensors) {
   require_count(tensors.size(), mesh.points.size());
-  for_each_index(tensors.size(), [&](std::size_t i) { require_metric_at(i, tensors[i]); });
+  require_metrics(tensors);
   return tensors;
 }
 
@@ -62,6 +62,10 @@ std::vector<Sym3> evaluate(const Mesh& mesh, const MetricFunction& function) {
 
 void require_metric(const Tensor& m, const Point& x) {
   if (!is_positive_definite(m)) throw_no_metric(fmt::format("at ({})", fmt::join(x, ", ")), m);
+}
+
+void require_metrics(const Tensors& tensors) {
+  for_each_index(tensors.size(), [&](std::size_t i) { require_metric_at(i, tensors[i]); });
 }
 
 std::vector<Sym3> tensors_at(const Mesh& mesh, const Metric& metric) {

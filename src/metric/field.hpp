@@ -17,4 +17,7 @@ namespace taut {
 /// Throws InputError naming the position unless the value of a metric function there is finite and positive definite.
 void require_metric(const Tensor& m, const Point& x);
 
+/// Throws InputError naming the vertex unless all tensors are finite and positive definite.
+void require_metrics(const Tensors& tensors);
+
 }  // namespace taut

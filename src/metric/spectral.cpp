@@ -61,10 +61,7 @@ Spectrum spectrum(const Sym3& m) {
 
 Sym3 assemble(const Spectrum& s) {
   Sym3 m{};
-  for (int i = 0; i < 3; ++i) {
-    const Vec3& v = s.vectors[i];
-    m = m + s.values[i] * Sym3{v[0] * v[0], v[0] * v[1], v[0] * v[2], v[1] * v[1], v[1] * v[2], v[2] * v[2]};
-  }
+  for (int i = 0; i < 3; ++i) m = m + s.values[i] * outer(s.vectors[i]);
   return m;
 }
 

@@ -8,7 +8,7 @@
 #include "base/parallel.hpp"
 #include "mesh/incidence.hpp"
 #include "mesh/orientation.hpp"
-#include "quality/faces.hpp"
+#include "mesh/faces.hpp"
 #include "taut/quality.hpp"
 
 namespace taut {

@@ -1,7 +1,10 @@
-// How many tetrahedra a metric asks for.
+// How many elements a metric asks for.
 #pragma once
 
+#include <vector>
+
 #include "mesh/tet_mesh.hpp"
+#include "taut/mesh.hpp"
 
 namespace taut {
 
@@ -10,5 +13,9 @@ namespace taut {
 /// taken at the middle of each tetrahedron, log-Euclidean, so that one small size at a vertex does not count for all
 /// around it.
 [[nodiscard]] double expected_tetrahedra(const TetMesh& mesh);
+
+/// A quarter of the volume of the tetrahedra at each point: the weights with which values at the points are summed to
+/// the integral of the field that is linear between them.
+[[nodiscard]] std::vector<double> volumes_of_points(const Mesh& mesh);
 
 }  // namespace taut

@@ -9,8 +9,7 @@
 
 namespace taut {
 
-Target::Target(MetricFunction function, double hmin, double hmax)
-    : function_(std::move(function)), hmin_(hmin), hmax_(hmax) {}
+Target::Target(MetricFunction function, const Limits& limits) : function_(std::move(function)), limits_(limits) {}
 
 Target::Target(const Background& background, const std::vector<Sym3>& metrics)
     : background_(&background), log_metrics_(metrics.size()) {
@@ -32,7 +31,7 @@ Sym3 Target::interpolate(const Vec3& x, CellId& host) const {
 Sym3 Target::call(const Vec3& x) const {
   const Sym3 m = function_(x);
   require_metric(m, x);
-  return truncate(m, hmin_, hmax_);
+  return truncate(m, limits_);
 }
 
 }  // namespace taut

@@ -8,6 +8,7 @@
 #include "base/sym3.hpp"
 #include "locate/background.hpp"
 #include "taut/metric.hpp"
+#include "taut/sizing.hpp"
 
 namespace taut {
 
@@ -15,8 +16,8 @@ namespace taut {
 /// contains the point. Averages of averages along split edges would smear a front within a few passes.
 class Target {
 public:
-  /// The function's values truncated to sizes in [hmin, hmax].
-  Target(MetricFunction function, double hmin, double hmax);
+  /// The function's values, truncated. A function cannot be graded.
+  Target(MetricFunction function, const Limits& limits);
 
   /// The field with the metric `metrics[v]` at vertex v of the background mesh, which must outlive the target.
   Target(const Background& background, const std::vector<Sym3>& metrics);
@@ -31,7 +32,7 @@ private:
   [[nodiscard]] Sym3 call(const Vec3& x) const;
 
   MetricFunction function_;
-  double hmin_ = 0, hmax_ = 0;
+  Limits limits_;
   const Background* background_ = nullptr;
   std::vector<Sym3> log_metrics_;  // at the vertices of the background mesh
 };

@@ -7,7 +7,7 @@
 #include "base/vec3.hpp"
 #include "base/with_threads.hpp"
 #include "mesh/grid.hpp"
-#include "quality/faces.hpp"
+#include "mesh/faces.hpp"
 #include "taut/quality.hpp"
 
 namespace taut {

@@ -1,0 +1,219 @@
+// taut metric: makes metrics from solutions, meshes, sizes and other metrics.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+
+#include "check.hpp"
+#include "commands.hpp"
+#include "files.hpp"
+#include "limits.hpp"
+#include "solution.hpp"
+#include "taut/taut.hpp"
+
+namespace taut::program {
+namespace {
+
+constexpr const char* metric_examples =
+    "Examples:\n"
+    "  taut metric lp wing.meshb mach.solb --complexity 50000 -o metric.solb\n"
+    "  taut metric lp wing.meshb mach.solb density.solb --complexity 50000 --norm 4 --hmin 1e-4 -o metric.solb\n"
+    "  taut metric error wing.meshb mach.solb --error 0.01 --gradation 1.5 -o metric.solb\n"
+    "  taut metric implied wing.meshb -o metric.solb";
+
+struct MetricJob {
+  std::string mesh, output;
+  std::vector<std::string> inputs;  ///< solutions or metrics
+  Limits limits;
+  LpOptions lp;
+  double error = 0;
+  std::optional<double> size;
+  Recovery recovery = Recovery::least_squares;
+  int threads = 0;
+  bool quiet = false;
+};
+
+std::vector<Tensors> hessians_of(const MetricJob& job, const Mesh& mesh) {
+  std::vector<Tensors> hessians;
+  for (const auto& values : read_scalars(job.inputs, mesh.points.size()))
+    hessians.push_back(
+        with_files(job.mesh, job.inputs.front(), [&] { return recover_hessian(mesh, values, job.recovery); }));
+  return hessians;
+}
+
+Tensors intersection_of(std::span<const Tensors> metrics) {
+  Tensors all = metrics.front();
+  for (const Tensors& other : metrics.subspan(1)) all = intersection(all, other);
+  return all;
+}
+
+/// A file with sizes or tensors, as tensors.
+Tensors tensors_in(const std::string& file, const Mesh& mesh, const std::string& mesh_file) {
+  return with_files(mesh_file, file, [&] { return tensors_of(mesh, read_metric(file)); });
+}
+
+void write_metric(const MetricJob& job, const Mesh& mesh, const Tensors& metric) {
+  write_solution(job.output, {field_of(metric)});
+  if (job.quiet) return;
+  const double c = complexity(mesh, metric);
+  fmt::print("{}: complexity {:.6g}, about {:.3g} vertices and {:.3g} tetrahedra in a unit mesh\n", job.output, c,
+             vertices_per_complexity * c, tetrahedra_per_complexity * c);
+}
+
+void note_bound(const MetricJob& job, const ScaledMetric& scaled) {
+  if (scaled.stopped_by.empty()) return;
+  fmt::print(stderr, "taut: note: {}: complexity {:.4g} instead of {:.4g}, because of {}\n", job.output,
+             scaled.complexity, job.lp.complexity, scaled.stopped_by);
+}
+
+void run_lp(MetricJob& job, const Mesh& mesh) {
+  job.lp.limits = job.limits;
+  const auto hessians = hessians_of(job, mesh);
+  const ScaledMetric scaled =
+      with_files(job.mesh, job.inputs.front(), [&] { return lp_metric(mesh, hessians, job.lp); });
+  write_metric(job, mesh, scaled.metric);
+  note_bound(job, scaled);
+}
+
+void run_error(const MetricJob& job, const Mesh& mesh) {
+  std::vector<Tensors> metrics;
+  for (const Tensors& hessian : hessians_of(job, mesh))
+    metrics.push_back(error_metric(mesh, hessian, job.error, job.limits));
+  write_metric(job, mesh, limited(mesh, intersection_of(metrics), job.limits));
+}
+
+void run_hessian(const MetricJob& job, const Mesh& mesh) {
+  std::vector<Field> fields;
+  for (const Tensors& hessian : hessians_of(job, mesh)) fields.push_back(field_of(hessian));
+  write_solution(job.output, fields);
+}
+
+void run_implied(const MetricJob& job, const Mesh& mesh) {
+  const Tensors metric = with_files(job.mesh, "", [&] { return implied_metric(mesh); });
+  write_metric(job, mesh, limited(mesh, metric, job.limits));
+}
+
+void run_size(const MetricJob& job, const Mesh& mesh) {
+  if (job.inputs.empty() == !job.size)
+    throw InputError("expected either a file of sizes or --size; see 'taut metric size --help'");
+  const Tensors metric = job.size ? tensors_of(mesh, Sizes(mesh.points.size(), *job.size))
+                                  : tensors_in(job.inputs.front(), mesh, job.mesh);
+  write_metric(job, mesh, limited(mesh, metric, job.limits));
+}
+
+void run_intersect(const MetricJob& job, const Mesh& mesh) {
+  std::vector<Tensors> metrics;
+  for (const std::string& file : job.inputs) metrics.push_back(tensors_in(file, mesh, job.mesh));
+  write_metric(job, mesh, limited(mesh, intersection_of(metrics), job.limits));
+}
+
+using Work = std::function<void(MetricJob&, const Mesh&)>;
+
+void run_metric(MetricJob& job, const CLI::App& command, const Work& work) {
+  require_sound(job.limits, command);
+  require_output(job.output, solution_files);
+  const Mesh mesh = read_mesh(job.mesh);
+  work(job, mesh);
+}
+
+/// A subcommand of `taut metric` with what all have in common.
+CLI::App* add_kind(CLI::App& metric, Job& job, const std::shared_ptr<MetricJob>& asked, const char* name,
+                   const char* what, Work work) {
+  CLI::App* command = metric.add_subcommand(name, what);
+  command->add_option("MESH", asked->mesh, "mesh, .mesh or .meshb")->required()->type_name("");
+  command->add_option("-o,--output", asked->output, "file for the result, .sol or .solb")->required()->type_name("OUT");
+  add_threads(*command, asked->threads);
+  command->add_flag("--quiet", asked->quiet, "print only errors and notes");
+  command->callback([asked, command, work = std::move(work), &job] {
+    job = [asked, command, work] { on_threads(asked->threads, [&] { run_metric(*asked, *command, work); }); };
+  });
+  return command;
+}
+
+void add_inputs(CLI::App& command, MetricJob& job, const char* name, const char* what) {
+  command.add_option(name, job.inputs, what)->type_name("");
+}
+
+void add_fields(CLI::App& command, MetricJob& job) {
+  add_inputs(command, job, "FIELDS",
+             "solutions at the vertices, .sol or .solb: scalars, or vectors, of which each component counts");
+  command.get_option("FIELDS")->required();
+  const auto set_recovery = [&job](const std::string& word) {
+    job.recovery = word == "projection" ? Recovery::double_projection : Recovery::least_squares;
+  };
+  command
+      .add_option_function<std::string>("--recovery", set_recovery,
+                                        "least-squares (the default): fit of a quadratic function around each vertex; "
+                                        "projection: gradients averaged twice")
+      ->type_name("WORD")
+      ->check(one_of("least-squares", "projection"));
+}
+
+void add_lp(CLI::App& metric, Job& job) {
+  const auto asked = std::make_shared<MetricJob>();
+  CLI::App* command =
+      add_kind(metric, job, asked, "lp", "for the least error of a solution at a given complexity", run_lp);
+  add_fields(*command, *asked);
+  command->add_option("--complexity", asked->lp.complexity, "about 0.4 times the wanted number of vertices")
+      ->required()
+      ->type_name("N")
+      ->check(positive_number());
+  add_norm(*command, asked->lp.norm);
+  add_limits(*command, asked->limits);
+}
+
+void add_error(CLI::App& metric, Job& job) {
+  const auto asked = std::make_shared<MetricJob>();
+  CLI::App* command = add_kind(metric, job, asked, "error", "for a given interpolation error everywhere", run_error);
+  add_fields(*command, *asked);
+  command->add_option("--error", asked->error, "wanted error, in the unit of the solution")
+      ->required()
+      ->type_name("E")
+      ->check(positive_number());
+  add_limits(*command, asked->limits);
+}
+
+void add_plain_kinds(CLI::App& metric, Job& job) {
+  const auto hessian = std::make_shared<MetricJob>();
+  add_fields(
+      *add_kind(metric, job, hessian, "hessian", "no metric, but the second derivatives of a solution", run_hessian),
+      *hessian);
+  const auto implied = std::make_shared<MetricJob>();
+  add_limits(*add_kind(metric, job, implied, "implied", "in which the mesh is a unit mesh", run_implied),
+             implied->limits);
+  const auto size = std::make_shared<MetricJob>();
+  CLI::App* command = add_kind(metric, job, size, "size", "from one size, or from sizes at the vertices", run_size);
+  add_inputs(*command, *size, "SIZES", "sizes at the vertices, .sol or .solb");
+  command->add_option("--size", size->size, "one size everywhere")->type_name("H")->check(positive_number());
+  add_limits(*command, size->limits);
+}
+
+void add_combinations(CLI::App& metric, Job& job) {
+  const auto both = std::make_shared<MetricJob>();
+  CLI::App* command =
+      add_kind(metric, job, both, "intersect", "the largest sizes that no metric forbids", run_intersect);
+  add_inputs(*command, *both, "METRICS", "sizes or tensors at the vertices, .sol or .solb");
+  command->get_option("METRICS")->required();
+  add_limits(*command, both->limits);
+  const auto graded = std::make_shared<MetricJob>();
+  command =
+      add_kind(metric, job, graded, "gradate", "limits on another metric: growth, sizes, anisotropy", run_intersect);
+  add_inputs(*command, *graded, "METRIC", "sizes or tensors at the vertices, .sol or .solb");
+  command->get_option("METRIC")->required()->expected(1);
+  add_limits(*command, graded->limits);
+}
+
+}  // namespace
+
+void add_metric(CLI::App& app, Job& job) {
+  CLI::App* metric = app.add_subcommand("metric", "make a metric from a solution, a mesh or other metrics");
+  metric->require_subcommand(1);
+  metric->footer(metric_examples);
+  add_lp(*metric, job);
+  add_error(*metric, job);
+  add_plain_kinds(*metric, job);
+  add_combinations(*metric, job);
+}
+
+}  // namespace taut::program

@@ -1,0 +1,97 @@
+// From a solution to a metric: Hessians, error-driven metrics, and what they are made from.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "taut/export.hpp"
+#include "taut/gradation.hpp"
+#include "taut/mesh.hpp"
+#include "taut/metric.hpp"
+
+namespace taut {
+
+/// How the Hessian of a field is recovered from its values at the points of a mesh.
+enum class Recovery {
+  /// A quadratic function is fitted to the values within two edges of each point, more if they do not determine it, in
+  /// a frame scaled by the mesh there. Exact for quadratic fields, also on the boundary.
+  least_squares,
+  /// The gradients of the tetrahedra are averaged by volume, twice. It smooths noise, but it does not converge as the
+  /// mesh is refined.
+  double_projection,
+};
+
+/// The Hessian at each point of the field with the given value at each point of `mesh`; zero at points that belong to
+/// no tetrahedron. Throws InputError for a mesh that cannot be used or that is too small, for a wrong number of values
+/// and for one that is not finite, naming its index.
+[[nodiscard]] TAUT_EXPORT Tensors recover_hessian(const Mesh& mesh, std::span<const double> values,
+                                                  Recovery recovery = Recovery::least_squares);
+
+/// Limits that a metric has to respect.
+struct Limits {
+  double hmin = 0;  ///< smallest size
+  /// Largest size; if it is infinite, the functions that make a metric of a solution take the diagonal of the domain's
+  /// bounding box, because a field may be linear in some direction, which asks for infinitely long edges.
+  double hmax = std::numeric_limits<double>::infinity();
+  double anisotropy = std::numeric_limits<double>::infinity();  ///< largest ratio (>= 1) of two sizes at one point
+  std::optional<Gradation> gradation{};                         ///< how fast sizes may grow; none: as fast as they like
+};
+
+/// The metric with all limits applied: sizes that are too small or too large are clipped, those that are too long for
+/// the anisotropy are shortened, then the metric is graded. A metric within all limits keeps its bits.
+[[nodiscard]] TAUT_EXPORT Tensors limited(const Mesh& mesh, Tensors metric, const Limits& limits);
+
+inline constexpr double vertices_per_complexity = 2.6;     ///< of a unit mesh with thousands of vertices (measured)
+inline constexpr double tetrahedra_per_complexity = 10.5;  ///< of a unit mesh (measured)
+
+/// What lp_metric() aims at.
+struct LpOptions {
+  double complexity =
+      0;  ///< above 0; in multiples of it a unit mesh has `vertices_per_complexity`, `tetrahedra_per_complexity`
+  double norm = 2;  ///< p of the L^p norm of the interpolation error, in [1, infinity]
+  Limits limits{};
+};
+
+/// A metric that was scaled to a complexity.
+struct ScaledMetric {
+  Tensors metric;
+  double complexity = 0;  ///< of the metric, with all limits applied
+  int evaluations = 0;    ///< how often limits were applied and the complexity computed
+  /// What keeps the complexity from the one that was asked for: "hmin", "hmax", or empty if nothing does.
+  std::string stopped_by;
+};
+
+/// The metric that minimises the L^p norm of the interpolation error for a given complexity,
+/// det|H|^(-1/(2p+3)) |H| times a constant (Alauzet and Loseille 2010); the constant is such that the complexity is
+/// within 0.2 % of the one that was asked for after all limits are applied. The metrics of several fields, one array of
+/// Hessians each, are scaled to the same complexity, then intersected. Throws InputError for arrays of wrong length, a
+/// tensor that is not finite (naming its index), and options that make no sense.
+[[nodiscard]] TAUT_EXPORT ScaledMetric lp_metric(const Mesh& mesh, std::span<const Tensors> hessians,
+                                                 const LpOptions& options);
+
+/// The metric in which a unit mesh has an interpolation error of about `error` (above 0, in the unit of the field)
+/// everywhere: the eigenvalues are 9/32 |l_i| / error (Dobrzynski and Frey 2008, 2.4).
+[[nodiscard]] TAUT_EXPORT Tensors error_metric(const Mesh& mesh, const Tensors& hessian, double error,
+                                               const Limits& limits = {});
+
+/// The metric in which the edges of `mesh` have about unit length: that of each tetrahedron, in which its six edges
+/// have length 1, averaged at the points, log-Euclidean, weighted by volume. A point that belongs to no tetrahedron
+/// takes the size of the bounding box.
+[[nodiscard]] TAUT_EXPORT Tensors implied_metric(const Mesh& mesh);
+
+/// The tensors at the points of `mesh`: the given ones, h^-2 times the identity for sizes h, or the values of the
+/// function. Throws InputError naming the point where the metric is not finite and positive definite.
+[[nodiscard]] TAUT_EXPORT Tensors tensors_of(const Mesh& mesh, const Metric& metric);
+
+/// The intersection of both metrics at each point: the largest sizes that neither of them forbids (Dobrzynski and Frey
+/// 2008, 2.2). Throws InputError if the lengths differ, or for a tensor that is not positive definite.
+[[nodiscard]] TAUT_EXPORT Tensors intersection(const Tensors& a, const Tensors& b);
+
+/// The integral of sqrt(det M) over the mesh, which is proportional to the number of elements of a unit mesh:
+/// sqrt(det M) is interpolated between the points.
+[[nodiscard]] TAUT_EXPORT double complexity(const Mesh& mesh, const Tensors& metric);
+
+}  // namespace taut
