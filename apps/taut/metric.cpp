@@ -27,7 +27,8 @@ struct MetricJob {
   std::vector<std::string> inputs;  ///< solutions or metrics
   Limits limits;
   LpOptions lp;
-  double error = 0;
+  LevelSetOptions level_set;
+  double error = 0, level = 0;
   std::optional<double> size;
   Recovery recovery = Recovery::least_squares;
   int threads = 0;
@@ -80,6 +81,18 @@ void run_error(const MetricJob& job, const Mesh& mesh) {
   std::vector<Tensors> metrics;
   for (const Tensors& hessian : hessians_of(job, mesh))
     metrics.push_back(error_metric(mesh, hessian, job.error, job.limits));
+  write_metric(job, mesh, limited(mesh, intersection_of(metrics), job.limits));
+}
+
+void run_level_set(MetricJob& job, const Mesh& mesh) {
+  job.level_set.limits = job.limits;
+  const auto fields = read_scalars(job.inputs, mesh.points.size());
+  std::vector<Tensors> metrics;
+  for (std::vector<double> values : fields) {
+    for (double& u : values) u -= job.level;
+    metrics.push_back(
+        with_files(job.mesh, job.inputs.front(), [&] { return level_set_metric(mesh, values, job.level_set); }));
+  }
   write_metric(job, mesh, limited(mesh, intersection_of(metrics), job.limits));
 }
 
@@ -174,6 +187,33 @@ void add_error(CLI::App& metric, Job& job) {
   add_limits(*command, asked->limits);
 }
 
+void add_level_set(CLI::App& metric, Job& job) {
+  const auto asked = std::make_shared<MetricJob>();
+  CLI::App* command =
+      add_kind(metric, job, asked, "levelset", "that resolves the surface where a solution is zero", run_level_set);
+  add_inputs(*command, *asked, "FIELDS", "solutions at the vertices, .sol or .solb");
+  command->get_option("FIELDS")->required();
+  LevelSetOptions& options = asked->level_set;
+  command->add_option("--error", options.error, "size across the surface; the distance to it will be about 0.3 E")
+      ->required()
+      ->type_name("E")
+      ->check(positive_number());
+  command->add_option("--level", asked->level, "value of the solution on the surface")
+      ->type_name("V")
+      ->capture_default_str();
+  command->add_option("--growth", options.growth, "growth of the sizes per distance from the surface")
+      ->type_name("C")
+      ->capture_default_str()
+      ->check(number([](double x) { return x >= 0; }, "a number, 0 or more"));
+  command
+      ->add_option("--refinement", options.refinement,
+                   "sizes shrink at most by this factor from those of the mesh: adapt and repeat until nothing changes")
+      ->type_name("F")
+      ->capture_default_str()
+      ->check(number([](double x) { return x > 1; }, "a number above 1"));
+  add_limits(*command, asked->limits);
+}
+
 void add_plain_kinds(CLI::App& metric, Job& job) {
   const auto hessian = std::make_shared<MetricJob>();
   add_fields(
@@ -212,6 +252,7 @@ void add_metric(CLI::App& app, Job& job) {
   metric->footer(metric_examples);
   add_lp(*metric, job);
   add_error(*metric, job);
+  add_level_set(*metric, job);
   add_plain_kinds(*metric, job);
   add_combinations(*metric, job);
 }

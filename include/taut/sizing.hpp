@@ -77,6 +77,23 @@ struct ScaledMetric {
 [[nodiscard]] TAUT_EXPORT Tensors error_metric(const Mesh& mesh, const Tensors& hessian, double error,
                                                const Limits& limits = {});
 
+/// How finely the surface u = 0 is resolved.
+struct LevelSetOptions {
+  /// Size across the surface, above 0. The piecewise linear surface is then within about 0.3 times it (measured).
+  double error = 0;
+  double growth = 0.6;    ///< by which sizes grow per distance from the surface, 0 or more
+  double refinement = 2;  ///< above 1: sizes shrink at most by this factor from those of the mesh
+  Limits limits{};        ///< hmax is the size far from the surface
+};
+
+/// The metric that resolves the surface u = 0 of the field with the given values: at the vertices of the elements that
+/// it crosses the size is `error` along the normal and sqrt(error / |k|) in the two directions of principal curvature k
+/// (Dobrzynski and Frey 2008, 5.2). Away from them, all sizes grow by `growth` times the distance |u| / |grad u|.
+/// On a coarse mesh the elements that are crossed are thick, and would all ask for the finest size: therefore sizes are
+/// bounded from below by those of the mesh over `refinement`, and a few adaptations lead to the metric.
+[[nodiscard]] TAUT_EXPORT Tensors level_set_metric(const Mesh& mesh, std::span<const double> values,
+                                                   const LevelSetOptions& options);
+
 /// The metric in which the edges of `mesh` have about unit length: that of each tetrahedron, in which its six edges
 /// have length 1, averaged at the points, log-Euclidean, weighted by volume. A point that belongs to no tetrahedron
 /// takes the size of the bounding box.

@@ -14,4 +14,7 @@ namespace taut {
 /// below the smallest size of either.
 [[nodiscard]] Sym3 intersect(const Sym3& m, const Sym3& n);
 
+/// The opposite in the same basis: P^-T diag(min(mu_i, nu_i)) P^-1. No length in it is above that in `bound`.
+[[nodiscard]] Sym3 capped(const Sym3& m, const Sym3& bound);
+
 }  // namespace taut

@@ -82,8 +82,6 @@ void take_inner_means(const Mesh& mesh, Tensors& hessians) {
   });
 }
 
-}  // namespace
-
 std::vector<Point> gradients_of(const Mesh& mesh, std::span<const double> values) {
   std::vector<std::array<double, 1>> fields(values.size());
   for_each_index(fields.size(), [&](std::size_t v) { fields[v] = {values[v]}; });
@@ -92,6 +90,8 @@ std::vector<Point> gradients_of(const Mesh& mesh, std::span<const double> values
   for_each_index(means.size(), [&](std::size_t v) { gradients[v] = means[v][0]; });
   return gradients;
 }
+
+}  // namespace
 
 Tensors hessians_by_double_projection(const Mesh& mesh, std::span<const double> values) {
   const std::vector<Point> gradients = gradients_of(mesh, values);

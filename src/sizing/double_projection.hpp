@@ -13,7 +13,4 @@ namespace taut {
 /// symmetric part is taken. On the boundary, where this is of order 0, the means of the neighbours inside are taken.
 [[nodiscard]] Tensors hessians_by_double_projection(const Mesh& mesh, std::span<const double> values);
 
-/// The gradient of the field at each point; zero at points that belong to no tetrahedron.
-[[nodiscard]] std::vector<Point> gradients_of(const Mesh& mesh, std::span<const double> values);
-
 }  // namespace taut

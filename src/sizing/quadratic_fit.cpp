@@ -31,32 +31,34 @@ void QuadraticFit::add(const Vec3& x, double value) {
   }
 }
 
-// L D L^T, with the right-hand side reduced alongside. Only the last six unknowns are solved for.
-std::optional<Sym3> QuadraticFit::hessian() const {
+// L D L^T, with the right-hand side reduced alongside.
+std::optional<QuadraticFit::Row> QuadraticFit::coefficients() const {
   std::array<Row, unknowns> a = matrix_;
-  Row b = right_, scale;
-  for (std::size_t i = 0; i < unknowns; ++i) scale[i] = 1 / matrix_[i][i];
+  Row c = right_;
   for (std::size_t k = 0; k < unknowns; ++k) {
-    if (!(a[k][k] * scale[k] > smallest_pivot)) return {};
+    if (!(a[k][k] > smallest_pivot * matrix_[k][k])) return {};
     const double inverse = 1 / a[k][k];
     for (std::size_t i = k + 1; i < unknowns; ++i) {
       const double factor = a[i][k] * inverse;
       for (std::size_t j = k + 1; j <= i; ++j) a[i][j] -= factor * a[j][k];
-      b[i] -= factor * b[k];
+      c[i] -= factor * c[k];
     }
   }
-  Row c{};
-  for (std::size_t i = unknowns; i-- > 4;) {
-    double rest = b[i];
-    for (std::size_t j = i + 1; j < unknowns; ++j) rest -= a[j][i] * c[j];
-    c[i] = rest / a[i][i];
+  for (std::size_t i = unknowns; i-- > 0;) {
+    for (std::size_t j = i + 1; j < unknowns; ++j) c[i] -= a[j][i] * c[j];
+    c[i] /= a[i][i];
   }
-  return from_frame({2 * c[4], c[5], c[6], 2 * c[7], c[8], 2 * c[9]});
+  return c;
 }
 
-// xi = C^-1 d, so the Hessian is C^-T H C^-1.
-Sym3 QuadraticFit::from_frame(const Sym3& h) const {
-  return congruent(h, [&](const Vec3& b) { return solve_transposed(frame_, b); });
+// The place in the frame is C^-1 d, so the gradient is C^-T g and the Hessian C^-T H C^-1.
+std::optional<Derivatives> QuadraticFit::derivatives() const {
+  const auto found = coefficients();
+  if (!found) return {};
+  const Row& c = *found;
+  const auto from_frame = [&](const Vec3& b) { return solve_transposed(frame_, b); };
+  return Derivatives{from_frame({c[1], c[2], c[3]}),
+                     congruent({2 * c[4], c[5], c[6], 2 * c[7], c[8], 2 * c[9]}, from_frame)};
 }
 
 }  // namespace taut

@@ -10,6 +10,12 @@
 
 namespace taut {
 
+/// First and second derivatives at a point.
+struct Derivatives {
+  Vec3 gradient;
+  Sym3 hessian;
+};
+
 /// Weighted least squares with 10 unknowns, in a frame in which the points around the centre are about as far in all
 /// directions: without the frame the problem would be singular on stretched meshes.
 class QuadraticFit {
@@ -20,15 +26,15 @@ public:
   /// Adds a point with the weight 1 / max(|xi|^2, 1/4), xi its place in the frame.
   void add(const Vec3& x, double value);
 
-  /// The Hessian of the function, unless the points determine it badly: if they lie close to a quadric.
-  [[nodiscard]] std::optional<Sym3> hessian() const;
+  /// Of the function at the centre, unless the points determine it badly: if they lie close to a quadric.
+  [[nodiscard]] std::optional<Derivatives> derivatives() const;
 
 private:
   static constexpr std::size_t unknowns = 10;  // 1, the place, its products xx, xy, xz, yy, yz, zz
   using Row = std::array<double, unknowns>;
 
   [[nodiscard]] Row monomials(const Vec3& xi) const;
-  [[nodiscard]] Sym3 from_frame(const Sym3& h) const;
+  [[nodiscard]] std::optional<Row> coefficients() const;
 
   Vec3 centre_;
   double value_;

@@ -165,8 +165,8 @@ TEST(Target, IsTheSameOnAnyNumberOfThreads) {
 TEST(Target, OfAFunctionIsTheFunctionWithinBounds) {
   Random random(6);
   const LogLinear field(random);
-  const Target free([&](const Point& x) { return field(x); }, 0, std::numeric_limits<double>::infinity());
-  const Target bounded([&](const Point& x) { return field(x); }, 0.9, 1.1);
+  const Target free([&](const Point& x) { return field(x); }, Limits{});
+  const Target bounded([&](const Point& x) { return field(x); }, Limits{.hmin = 0.9, .hmax = 1.1});
   CellId host{7};
   for (int i = 0; i < 100; ++i) {
     const Vec3 x = random.point();
