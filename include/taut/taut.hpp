@@ -10,6 +10,7 @@
 #include "taut/metric.hpp"
 #include "taut/quality.hpp"
 #include "taut/sizing.hpp"
+#include "taut/space_time.hpp"
 #include "taut/surface.hpp"
 #include "taut/threads.hpp"
 #include "taut/version.hpp"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "base/parallel.hpp"
 
@@ -35,14 +34,19 @@ struct Largest {
 std::vector<Spectrum> absolute_spectra(const Tensors& hessian) {
   std::vector<Spectrum> spectra(hessian.size());
   for_each_index(spectra.size(), [&](std::size_t v) { spectra[v] = with_ascending_magnitudes(spectrum(hessian[v])); });
-  const double largest = sum_in_order<Largest>(spectra.size(), [&](Largest& most, std::size_t v) {
-                           most += Largest{spectra[v].values[2]};
-                         }).value;
+  return spectra;
+}
+
+double largest_eigenvalue(std::span<const Spectrum> spectra) {
+  const auto add = [&](Largest& most, std::size_t v) { most += Largest{spectra[v].values[2]}; };
+  return sum_in_order<Largest>(spectra.size(), add).value;
+}
+
+void raise_flat(std::vector<Spectrum>& spectra, double largest) {
   const double least = largest > 0 ? flatness * largest : 1;
   for_each_index(spectra.size(), [&](std::size_t v) {
     for (double& value : spectra[v].values) value = std::max(value, least);
   });
-  return spectra;
 }
 
 }  // namespace taut

@@ -1,6 +1,7 @@
 // |H|: Hessians with positive eigenvalues.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "metric/spectral.hpp"
@@ -8,9 +9,14 @@
 
 namespace taut {
 
-/// The absolute values of the eigenvalues, ascending, each at least 1e-10 of the largest in the whole field: where a
-/// field is linear in some direction the eigenvalue is zero but for rounding, and neither its sign nor a power of it
-/// means anything. 1 everywhere for a field whose Hessian is zero everywhere.
+/// With the absolute values of the eigenvalues, ascending.
 [[nodiscard]] std::vector<Spectrum> absolute_spectra(const Tensors& hessian);
+
+/// Of the whole field.
+[[nodiscard]] double largest_eigenvalue(std::span<const Spectrum> spectra);
+
+/// Raises all eigenvalues to at least 1e-10 of `largest`, or to 1 if that is 0: where a field is linear in some
+/// direction the eigenvalue is zero but for rounding, and no power of it means anything.
+void raise_flat(std::vector<Spectrum>& spectra, double largest);
 
 }  // namespace taut

@@ -1,14 +1,10 @@
 #include "sizing/scaling.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
-#include "base/parallel.hpp"
-#include "mesh/edges.hpp"
-#include "sizing/complexity.hpp"
-#include "sizing/limits.hpp"
 #include "sizing/root.hpp"
-#include "sizing/truncation.hpp"
 
 namespace taut {
 namespace {
@@ -16,80 +12,68 @@ namespace {
 constexpr double tolerance = 2e-3;  // relative, of the complexity
 constexpr int most_evaluations = 40;
 
-double product(const Vec3& v) {
-  return v[0] * v[1] * v[2];
+/// The sum of weight(i) value(i).
+template <class Value>
+double weighted_sum(std::span<const double> weights, Value&& value) {
+  double sum = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) sum += weights[i] * value(i);
+  return sum;
 }
 
-/// A metric up to a factor, on a mesh.
-class Shape {
-public:
-  Shape(const Mesh& mesh, std::vector<Spectrum> spectra, const Limits& limits)
-      : mesh_(mesh), spectra_(std::move(spectra)), limits_(limits), volumes_(volumes_of_points(mesh)) {
-    if (limits.gradation) edges_ = edges_of(mesh.tetrahedra);
-  }
-
-  [[nodiscard]] double volume() const {
-    return sum_in_order<double>(volumes_.size(), [&](double& sum, std::size_t v) { sum += volumes_[v]; });
-  }
-
-  /// Without gradation, which takes most of the time.
-  [[nodiscard]] double ungraded_complexity(double factor) const {
-    return sum_in_order<double>(volumes_.size(), [&](double& sum, std::size_t v) {
-      sum += volumes_[v] * std::sqrt(product(truncate(factor * spectra_[v].values, limits_)));
-    });
-  }
-
-  [[nodiscard]] std::vector<Sym3> metric(double factor) const {
-    std::vector<Sym3> metrics(spectra_.size());
-    for_each_index(metrics.size(), [&](std::size_t v) {
-      const Vec3 values = truncate(factor * spectra_[v].values, limits_);
-      metrics[v] = assemble({values, spectra_[v].vectors});
-    });
-    return graded(mesh_, edges_, std::move(metrics), limits_);
-  }
-
-  [[nodiscard]] double complexity_of(const std::vector<Sym3>& metrics) const {
-    return sum_in_order<double>(volumes_.size(), [&](double& sum, std::size_t v) {
-      sum += volumes_[v] * std::sqrt(determinant_spd(metrics[v]));
-    });
-  }
-
-private:
-  const Mesh& mesh_;
-  std::vector<Spectrum> spectra_;
-  Limits limits_;
-  std::vector<double> volumes_;
-  std::vector<std::array<Index, 2>> edges_;
-};
+double cube(double x) {
+  return x * x * x;
+}
 
 /// What the bounds leave of the wanted complexity, and the bound that takes the rest.
 std::pair<double, const char*> reachable(double wanted, double volume, const Limits& limits) {
-  const double most =
-      limits.hmin > 0 ? volume / (limits.hmin * limits.hmin * limits.hmin) : std::numeric_limits<double>::infinity();
-  const double least = volume / (limits.hmax * limits.hmax * limits.hmax);
+  const double most = limits.hmin > 0 ? volume / cube(limits.hmin) : std::numeric_limits<double>::infinity();
+  const double least = volume / cube(limits.hmax);
   if (wanted > most) return {most, "hmin"};
   if (wanted < least) return {least, "hmax"};
   return {wanted, ""};
 }
 
+/// Gradation only adds, and it takes most of the time: the search begins where the ungraded metric would do.
+double first_factor(double goal, std::span<const Shape> shapes, std::span<const double> weights) {
+  RootSearch search(tolerance, most_evaluations);
+  while (!search.done()) {
+    const double factor = std::exp(search.next());
+    const auto complexity = [&](std::size_t i) { return shapes[i].ungraded_complexity(factor); };
+    search.add(std::log(weighted_sum(weights, complexity) / goal));
+  }
+  return search.next();
+}
+
+void evaluate(double factor, std::span<const Shape> shapes, std::span<const double> weights, Scaled& result) {
+  result.metrics.clear();
+  result.complexities.clear();
+  for (const Shape& shape : shapes) {
+    result.metrics.push_back(shape.metric(factor));
+    result.complexities.push_back(shape.complexity_of(result.metrics.back()));
+  }
+  result.total = weighted_sum(weights, [&](std::size_t i) { return result.complexities[i]; });
+  ++result.evaluations;
+}
+
 }  // namespace
 
-ScaledMetric scaled_to(double wanted, const Mesh& mesh, std::vector<Spectrum> spectra, const Limits& limits) {
-  const Shape shape(mesh, std::move(spectra), limits);
-  ScaledMetric result;
-  const auto [goal, bound] = reachable(wanted, shape.volume(), limits);
+Scaled scaled_to(double wanted, std::span<const Shape> shapes, std::span<const double> weights) {
+  Scaled result;
+  const double volume = weighted_sum(weights, [&](std::size_t i) { return shapes[i].volume(); });
+  const auto [goal, bound] = reachable(wanted, volume, shapes.front().limits());
   result.stopped_by = bound;
-
-  RootSearch ungraded(tolerance, most_evaluations);
-  while (!ungraded.done()) ungraded.add(std::log(shape.ungraded_complexity(std::exp(ungraded.next())) / goal));
-  RootSearch graded(tolerance, most_evaluations, ungraded.next());
-  while (!graded.done()) {
-    result.metric = shape.metric(std::exp(graded.next()));
-    result.complexity = shape.complexity_of(result.metric);
-    ++result.evaluations;
-    graded.add(std::log(result.complexity / goal));
+  RootSearch search(tolerance, most_evaluations, first_factor(goal, shapes, weights));
+  while (!search.done()) {
+    evaluate(std::exp(search.next()), shapes, weights, result);
+    search.add(std::log(result.total / goal));
   }
   return result;
+}
+
+ScaledMetric scaled_to(double wanted, const Shape& shape) {
+  const std::array<double, 1> weights = {1};
+  Scaled scaled = scaled_to(wanted, {&shape, 1}, weights);
+  return {std::move(scaled.metrics[0]), scaled.total, scaled.evaluations, std::move(scaled.stopped_by)};
 }
 
 }  // namespace taut

@@ -1,18 +1,29 @@
-// The factor that gives a metric a wanted complexity.
+// The factor that gives metrics a wanted complexity.
 #pragma once
 
-#include <functional>
+#include <span>
+#include <string>
 #include <vector>
 
-#include "metric/spectral.hpp"
-#include "taut/mesh.hpp"
-#include "taut/sizing.hpp"
+#include "sizing/shape.hpp"
 
 namespace taut {
 
-/// The metric `shape` times the factor for which the complexity is `wanted` after the limits are applied; hmax must be
-/// finite. The complexity never falls as the factor grows, so there is one unless hmin or hmax forbids it.
-[[nodiscard]] ScaledMetric scaled_to(double wanted, const Mesh& mesh, std::vector<Spectrum> shape,
-                                     const Limits& limits);
+/// Metrics of several meshes that have one factor in common.
+struct Scaled {
+  std::vector<std::vector<Sym3>> metrics;
+  std::vector<double> complexities;
+  double total = 0;  ///< the weighted sum of the complexities
+  int evaluations = 0;
+  std::string stopped_by;
+};
+
+/// The shapes times the factor for which the sum of weight times complexity is `wanted` after the limits are applied.
+/// The complexity never falls as the factor grows, so there is one unless hmin or hmax forbids it. All shapes have the
+/// same limits.
+[[nodiscard]] Scaled scaled_to(double wanted, std::span<const Shape> shapes, std::span<const double> weights);
+
+/// The same for one mesh.
+[[nodiscard]] ScaledMetric scaled_to(double wanted, const Shape& shape);
 
 }  // namespace taut
