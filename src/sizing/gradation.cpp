@@ -26,8 +26,8 @@ using Edge = std::array<Index, 2>;
 constexpr std::size_t largest_effort = 200;
 
 /// Range of the traces of the metrics that demand in the same round: sizes differ by up to a factor of 8. Without a
-/// limit, coarse vertices would demand before their own metrics are final, and hard fields would take up to three times
-/// as long; with a narrow one, rounds would be too small to share among threads.
+/// limit, coarse vertices would demand before their own metrics are final, and hard fields would take up to twice as
+/// long; with a narrow one, rounds would be too small to share among threads.
 constexpr double band = 64;
 
 constexpr std::size_t vertices_per_task = 512;
@@ -151,8 +151,9 @@ private:
   void collect_demands(Index q, std::vector<Sym3>& demands) const {
     demands.clear();
     for (const Index p : neighbours_[q]) {
+      if (place_[p] == none) continue;
       const Vec3 e = points_[q] - points_[p];
-      if (place_[p] == none || growth_.surely_met(metrics_[p], metrics_[q], e)) continue;
+      if (growth_.surely_met(metrics_[p], metrics_[q], e)) continue;
       const Sym3 demand = growth_.demand(spectra_[place_[p]], e);
       if (!meets(metrics_[q], demand)) demands.push_back(demand);
     }

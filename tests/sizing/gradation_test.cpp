@@ -13,6 +13,7 @@
 #include "metric/length.hpp"
 #include "metric/random_metrics.hpp"
 #include "sizing/gradation.hpp"
+#include "sizing/growth.hpp"
 #include "taut/error.hpp"
 #include "taut/quality.hpp"
 
@@ -84,6 +85,12 @@ TEST(Gradation, BoundsTheGrowthAndOnlyRefines) {
       for (std::size_t v = 0; v < rough.size(); ++v) EXPECT_TRUE(is_dominated(rough[v], smooth[v], 1 + 1e-8));
     }
   }
+}
+
+TEST(Gradation, DemandsAreFiniteIfRoundingMakesAnEigenvalueNegative) {
+  const Spectrum s{{-1e-3, 1, 1e13}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
+  for (const double mix : mixes)
+    for (const double entry : Growth({1.2, mix}).demand(s, {1e4, 0, 0})) EXPECT_TRUE(std::isfinite(entry));
 }
 
 TEST(Gradation, OfASmallSizeInALargeField) {
