@@ -69,6 +69,7 @@ public:
     std::size_t visits = 0;
     while (!waiting_.empty() && visits < largest_effort * points_.size()) {
       choose_demanding();
+      compute_spectra();
       visits += demanding_.size();
       find_asked();
       take(answers());
@@ -109,13 +110,16 @@ private:
     double largest = 0;
     for (const Index v : waiting_) largest = std::max(largest, trace(metrics_[v]));
     const auto waits_on = [&](Index v) { return trace(metrics_[v]) < largest / band; };
-    const auto chosen = std::ranges::partition(waiting_, waits_on);
-    demanding_.assign(chosen.begin(), chosen.end());
-    waiting_.erase(chosen.begin(), chosen.end());
+    const auto chosen = std::partition(waiting_.begin(), waiting_.end(), waits_on);
+    demanding_.assign(chosen, waiting_.end());
+    waiting_.erase(chosen, waiting_.end());
     for (std::size_t i = 0; i < demanding_.size(); ++i) {
       is_waiting_[demanding_[i]] = false;
       place_[demanding_[i]] = static_cast<std::uint32_t>(i);
     }
+  }
+
+  void compute_spectra() {
     spectra_.resize(demanding_.size());
     const Chunks chunks(demanding_.size(), vertices_per_task);
     for_each_task(chunks.size(), [&](std::size_t chunk, int) {
