@@ -7,14 +7,19 @@
 #include <vector>
 
 #include "adapt/block_passes.hpp"
+#include "adapt/fields.hpp"
 #include "adapt/setup.hpp"
+#include "base/stopwatch.hpp"
 #include "cavity/face_batch.hpp"
 #include "cavity/vertex_batch.hpp"
+#include "mesh/edges.hpp"
 #include "mesh/grid.hpp"
 #include "mesh/orientation.hpp"
 #include "metric/length.hpp"
 #include "metric/quality.hpp"
 #include "operators/delaunay.hpp"
+#include "sizing/gradation.hpp"
+#include "taut/quality.hpp"
 
 namespace taut {
 namespace {
@@ -48,7 +53,7 @@ std::vector<Corners> sample_tets(const TetMesh& mesh) {
   return tets;
 }
 
-Problem grid_problem(Index n) {
+Session grid_session(Index n) {
   Report report;
   return set_up(test::grid(n), stretched_metric, {}, report);
 }
@@ -65,8 +70,8 @@ BENCHMARK(edge_lengths<edge_length>);
 BENCHMARK(edge_lengths<edge_length_fast>);
 
 void shape_qualities(benchmark::State& state) {
-  const Problem problem = grid_problem(10);
-  const std::vector<Corners> tets = sample_tets(problem.mesh);
+  const Session session = grid_session(10);
+  const std::vector<Corners> tets = sample_tets(session.mesh);
   for (auto _ : state)
     for (const auto& [a, b, c, d] : tets)
       benchmark::DoNotOptimize(shape_quality(a->x, b->x, c->x, d->x, a->m, b->m, c->m, d->m));
@@ -75,8 +80,8 @@ void shape_qualities(benchmark::State& state) {
 BENCHMARK(shape_qualities);
 
 void orientations(benchmark::State& state) {
-  const Problem problem = grid_problem(10);
-  const std::vector<Corners> tets = sample_tets(problem.mesh);
+  const Session session = grid_session(10);
+  const std::vector<Corners> tets = sample_tets(session.mesh);
   for (auto _ : state)
     for (const auto& [a, b, c, d] : tets) benchmark::DoNotOptimize(orientation(a->x, b->x, c->x, d->x));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(tets.size()));
@@ -84,8 +89,8 @@ void orientations(benchmark::State& state) {
 BENCHMARK(orientations);
 
 void delaunay_conflicts(benchmark::State& state) {
-  const Problem problem = grid_problem(10);
-  const std::vector<Corners> tets = sample_tets(problem.mesh);
+  const Session session = grid_session(10);
+  const std::vector<Corners> tets = sample_tets(session.mesh);
   for (auto _ : state)
     for (std::size_t i = 1; i < tets.size(); ++i) benchmark::DoNotOptimize(in_conflict(*tets[i - 1][0], tets[i]));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(tets.size() - 1));
@@ -111,8 +116,8 @@ BENCHMARK(face_batches)->Arg(10)->Arg(24)->Arg(40);
 void measure_pass(benchmark::State& state, int rounds, void (*pass)(BlockPasses&), Tally Tallies::*kind) {
   std::size_t accepted = 0, tried = 0;
   for (auto _ : state) {
-    Problem problem = grid_problem(8);
-    BlockPasses passes(problem, 0);
+    Session session = grid_session(8);
+    BlockPasses passes(session, 0);
     for (int i = 0; i < rounds; ++i) {
       passes.cut();
       passes.insert({});
@@ -150,6 +155,31 @@ void relocations(benchmark::State& state) {
       state, 4, [](BlockPasses& passes) { passes.relocate({}); }, &Tallies::relocation);
 }
 BENCHMARK(relocations)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+// With the edges, on a million tetrahedra in [-1, 1]^3. The counter says how much the complexity grows.
+void gradate_on_a_million(benchmark::State& state, const MetricFunction& field, Gradation gradation) {
+  Mesh mesh = test::grid(55);
+  for (Point& x : mesh.points) x = 2 * x - Point{1, 1, 1};
+  Tensors metric, graded;
+  for (const Point& x : mesh.points) metric.push_back(field(x));
+  for (auto _ : state) graded = gradate(mesh.points, edges_of(mesh.tetrahedra), metric, gradation);
+  state.counters["growth"] = measure(mesh, graded).complexity / measure(mesh, metric).complexity;
+}
+
+void gradation_of_a_shell(benchmark::State& state) {
+  gradate_on_a_million(state, test::shell(), {0.1 * static_cast<double>(state.range(0)), 0.5});
+}
+BENCHMARK(gradation_of_a_shell)
+    ->Arg(13)
+    ->Arg(15)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
+
+void gradation_of_a_mild_field(benchmark::State& state) {
+  gradate_on_a_million(state, [](const Point& x) { return metric_of_size(0.1 + 0.02 * x[0]); }, {});
+}
+BENCHMARK(gradation_of_a_mild_field)->UseRealTime()->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace taut

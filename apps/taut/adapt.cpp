@@ -41,6 +41,7 @@ AdaptResult adapt_files(const AdaptJob& job, const Interrupt& interrupt) {
 
   ProgressLine line(job.quiet);
   AdaptOptions options = job.options;
+  options.gradation = gradation_of(job);
   options.progress = [&](const Progress& progress) {
     line.show(progress);
     return !interrupt.requested();

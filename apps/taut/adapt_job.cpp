@@ -37,12 +37,23 @@ void add_sizes(CLI::App& command, AdaptJob& job) {
   command.add_option("--hmax", options.hmax, "largest size; larger ones become H")
       ->type_name("H")
       ->check(positive_number());
-  const auto set_gradation = [&options](const std::string& word) { options.gradation = number_in(word); };
+}
+
+void add_gradation(CLI::App& command, AdaptJob& job) {
+  const auto set_beta = [&job](const std::string& word) { job.beta = number_in(word); };
+  CLI::Option* beta =
+      command
+          .add_option_function<std::string>(
+              "--gradation", set_beta, "largest factor by which sizes may grow per unit length, or off (the default)")
+          ->type_name("BETA")
+          ->check(word_or("off", number([](double x) { return x > 1 && std::isfinite(x); }, "a number above 1")));
   command
-      .add_option_function<std::string>("--gradation", set_gradation,
-                                        "largest factor by which sizes may grow per unit length, or off (the default)")
-      ->type_name("BETA")
-      ->check(word_or("off", number([](double x) { return x > 1 && std::isfinite(x); }, "a number above 1")));
+      .add_option("--gradation-mix", job.mix,
+                  "0: growth per unit length in the metric; 1: per physical size; or a mix of both")
+      ->type_name("T")
+      ->capture_default_str()
+      ->needs(beta)
+      ->check(number([](double x) { return x >= 0 && x <= 1; }, "a number from 0 to 1"));
 }
 
 void add_surface(CLI::App& command, AdaptOptions& options) {
@@ -74,6 +85,7 @@ void require_one_target(const AdaptJob& job) {
 void add_options(CLI::App& command, AdaptJob& job) {
   add_files(command, job);
   add_sizes(command, job);
+  add_gradation(command, job);
   add_surface(command, job.options);
   command
       .add_option("--rounds,--passes", job.options.max_rounds,
@@ -89,6 +101,11 @@ void add_options(CLI::App& command, AdaptJob& job) {
       ->capture_default_str()
       ->check(count());
   command.footer(examples);
+}
+
+std::optional<Gradation> gradation_of(const AdaptJob& job) {
+  if (!job.beta) return {};
+  return Gradation{.beta = *job.beta, .mix = job.mix};
 }
 
 void require_sound(const AdaptJob& job) {

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "geometry/classify.hpp"
@@ -18,8 +16,7 @@ namespace taut {
 void require_options(const AdaptOptions& o) {
   if (!(o.hmin >= 0) || !(o.hmax > 0) || !(o.hmin <= o.hmax))
     throw InputError(fmt::format("hmin {}, hmax {} found, expected 0 <= hmin <= hmax, hmax > 0", o.hmin, o.hmax));
-  if (o.gradation && !(*o.gradation > 1 && std::isfinite(*o.gradation)))
-    throw InputError(fmt::format("gradation {} found, expected a number above 1", *o.gradation));
+  if (o.gradation) require_gradation(*o.gradation);
   if (!(o.ridge_angle > 0 && o.ridge_angle < 180))
     throw InputError(fmt::format("ridge angle {} found, expected between 0 and 180 degrees", o.ridge_angle));
   if (o.max_rounds < 0) throw InputError(fmt::format("{} rounds found, expected 0 or more", o.max_rounds));

@@ -104,9 +104,10 @@ TEST(BadInput, Options) {
   expect_option_refused([](AdaptOptions& o) { o.hmax = 0; }, "hmax");
   expect_option_refused([](AdaptOptions& o) { o.hmin = 2, o.hmax = 1; }, "hmax");
   expect_option_refused([](AdaptOptions& o) { o.hmax = nan; }, "hmax");
-  expect_option_refused([](AdaptOptions& o) { o.gradation = 1.0; }, "gradation");
-  expect_option_refused([](AdaptOptions& o) { o.gradation = nan; }, "gradation");
-  expect_option_refused([](AdaptOptions& o) { o.gradation = infinity; }, "gradation");
+  for (const double beta : {1.0, nan, infinity})
+    expect_option_refused([beta](AdaptOptions& o) { o.gradation = Gradation{.beta = beta}; }, "gradation: beta");
+  for (const double mix : {-0.1, nan, 1.1})
+    expect_option_refused([mix](AdaptOptions& o) { o.gradation = Gradation{.mix = mix}; }, "gradation: mix");
   expect_option_refused([](AdaptOptions& o) { o.ridge_angle = 0; }, "angle");
   expect_option_refused([](AdaptOptions& o) { o.ridge_angle = 180; }, "angle");
   expect_option_refused([](AdaptOptions& o) { o.max_rounds = -1; }, "-1 rounds");

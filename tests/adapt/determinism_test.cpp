@@ -38,7 +38,7 @@ std::vector<Case> cases() {
   AdaptOptions fixed;
   fixed.surface = Surface::fixed;
   AdaptOptions graded;
-  graded.gradation = 1.5;
+  graded.gradation = Gradation{};
   graded.hmin = 0.01;
   return {
       {"front", 0x9061d39ea00361a9U, cube, test::front(0.3, 0.6), {}},
@@ -48,7 +48,7 @@ std::vector<Case> cases() {
       {"coarsening", 0x57221702beefb444U, fine, test::uniform(0.2), {}},
       sampled("coarsening_behind_a_front", 0x9406ffc4292fd9afU, fine, test::front(0.4, 0.9)),
       {"jump", 0x5ba34df28e5d30f1U, cube, test::jump(0.3), {}},
-      sampled("graded_jump", 0xaae7f11b5f2600feU, cube, test::jump(0.2), graded),
+      sampled("graded_jump", 0x4bb5c3d3e2954855U, cube, test::jump(0.2), graded),
       {"patchwork", 0x924bf2e47837a79fU, cube, test::patchwork(0.5, 1), {}},
       {"regions", 0xd1f737a9286c99e9U, regions, test::front(0.3, 0.6), {}},
       {"corner", 0x4a56adb930370274U, corner, test::uniform(0.1), {}},

@@ -55,8 +55,8 @@ TEST(Adapt, AConstantMetricComesOutOfGradationUnchanged) {
     const Tensors constant(mesh.points.size(), m);
     AdaptOptions options = with_rounds(4);
     const auto without = adapt(mesh, constant, options);
-    for (const double beta : {1.05, 1.5}) {
-      options.gradation = beta;
+    for (const double mix : {0.0, 0.5, 1.0}) {
+      options.gradation = Gradation{.beta = 1.05, .mix = mix};
       EXPECT_EQ(adapt(mesh, constant, options).report.hash, without.report.hash);
     }
     for (const Tensor& at : without.metric) EXPECT_LT(test::distance(at, m), 1e-12);
@@ -69,11 +69,11 @@ TEST(Adapt, GradationRefinesRoundASmallSize) {
   sizes[62] = 0.03;  // the middle
   AdaptOptions options;
   const auto without = adapt(mesh, sizes, options);
-  options.gradation = 1.3;
+  options.gradation = Gradation{.beta = 1.3};
   const auto with = adapt(mesh, sizes, options);
   test::expect_faithful(with, mesh);
   EXPECT_GT(with.mesh.tetrahedra.size(), without.mesh.tetrahedra.size());
-  options.gradation = 100.0;
+  options.gradation = Gradation{.beta = 100};
   EXPECT_EQ(adapt(mesh, sizes, options).report.hash, without.report.hash) << "so steep that it requires nothing";
 }
 

@@ -45,13 +45,16 @@ TEST_F(GoodRun, TextAndBinaryHoldTheSame) {
 
 TEST_F(GoodRun, TensorsAndAllOutputs) {
   write("m.sol", metric_text(Tensors(27, {100, 0, 0, 16, 0, 16})));
-  expect_done({"adapt", "cube.mesh", "--metric", "m.sol", "-o", "out.meshb", "--metric-out", "out.solb", "--report",
-               "out.json", "--gradation", "1.5", "--hmin", "0.01", "--hmax", "1", "--surface", "adapt"});
+  expect_done({"adapt",           "cube.mesh", "--metric", "m.sol",    "-o",          "out.meshb",
+               "--metric-out",    "out.solb",  "--report", "out.json", "--gradation", "1.5",
+               "--gradation-mix", "0.25",      "--hmin",   "0.01",     "--hmax",      "1",
+               "--surface",       "adapt"});
   const json report = json::parse(read("out.json"));
   const json measured = quality({"out.meshb", "--metric", "out.solb", "--check"});
   EXPECT_EQ(report["quality"], measured["quality"]);
   EXPECT_EQ(report["hash"].get<std::string>().size(), 16U);
   EXPECT_EQ(report["options"]["gradation"], 1.5);
+  EXPECT_EQ(report["options"]["gradation_mix"], 0.25);
   EXPECT_EQ(report["cancelled"], false);
   EXPECT_GT(report["passes"][0]["accepted"], 0);
   EXPECT_NEAR(report["quality"]["complexity"].get<double>(), 160, 1e-6);

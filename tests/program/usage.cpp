@@ -39,15 +39,20 @@ struct Value {
 
 TEST_F(Usage, ValuesOutOfRange) {
   constexpr Value values[] = {
-      {"--size", "0", "above 0"},          {"--size", "-1", "above 0"},     {"--size", "nan", "above 0"},
-      {"--size", "1x", "above 0"},         {"--hmin", "-1", "above 0"},     {"--hmax", "0", "above 0"},
-      {"--gradation", "1", "above 1"},     {"--gradation", "on", "or off"}, {"--angle", "0", "between 0 and 180"},
-      {"--angle", "180", "between 0 and"}, {"--rounds", "-1", "0 or more"}, {"--rounds", "1.5", "whole"},
-      {"--threads", "-1", "0 to 1024"},    {"--threads", "1025", "0 to"},   {"--block-size", "1.5", "whole"},
-      {"--surface", "keep", "fixed"},
+      {"--size", "0", "above 0"},          {"--size", "-1", "above 0"},        {"--size", "nan", "above 0"},
+      {"--size", "1x", "above 0"},         {"--hmin", "-1", "above 0"},        {"--hmax", "0", "above 0"},
+      {"--gradation", "1", "above 1"},     {"--gradation", "on", "or off"},    {"--angle", "0", "between 0 and 180"},
+      {"--angle", "180", "between 0 and"}, {"--rounds", "-1", "0 or more"},    {"--rounds", "1.5", "whole"},
+      {"--threads", "-1", "0 to 1024"},    {"--threads", "1025", "0 to"},      {"--block-size", "1.5", "whole"},
+      {"--surface", "keep", "fixed"},      {"--gradation-mix", "2", "from 0"},
   };
   for (const auto& [option, value, expected] : values)
     expect_error({"adapt", "a.mesh", "--metric", "m.sol", "-o", "b.mesh", option, value}, 2, {option, value, expected});
+}
+
+TEST_F(Usage, AMixNeedsGradation) {
+  expect_error({"adapt", "a.mesh", "--size", "1", "-o", "b.mesh", "--gradation-mix", "1"}, 2,
+               {"--gradation-mix", "--gradation", "taut adapt --help"});
 }
 
 TEST_F(Usage, SmallestAboveLargestSize) {
