@@ -6,10 +6,13 @@
 #include "taut/field.hpp"
 #include "taut/gradation.hpp"
 #include "taut/io.hpp"
+#include "taut/levelset.hpp"
 #include "taut/mesh.hpp"
 #include "taut/metric.hpp"
 #include "taut/quality.hpp"
 #include "taut/surface.hpp"
+#include "taut/surface_distance.hpp"
+#include "taut/surface_mesh.hpp"
 #include "taut/threads.hpp"
 #include "taut/version.hpp"
 
