@@ -32,6 +32,12 @@ void add_options(CLI::App& command, ExtractJob& job) {
           "of the diagonal of the box around both surfaces")
       ->type_name("H")
       ->check(positive_number());
+  command
+      .add_option("--divisions", job.sampling.divisions,
+                  "at least so many parts of each edge between the samples that --compare takes on a triangle")
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(number([](double x) { return x >= 1 && x <= 1000 && x == std::floor(x); }, "a whole number, 1 to 1000"));
   command.add_option("--report", job.report, "file for a report, .json")->type_name("FILE");
   command.add_flag("--quiet", job.quiet, "print only errors");
   add_threads(command, job.threads);

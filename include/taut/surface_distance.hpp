@@ -14,8 +14,9 @@ struct DistanceOptions {
   /// Largest distance between neighbouring samples on a triangle; 0: a five-hundredth of the diagonal of the box around
   /// both surfaces.
   double spacing = 0;
-  /// Every edge is divided into at least this many parts, so that small triangles are sampled inside, too.
-  int divisions = 4;
+  /// Every edge is divided into at least this many parts, so that small triangles are sampled inside, too. A multiple
+  /// of 3 has a sample at the centre of the triangle. 1 will do for a surface much finer than the distance to be found.
+  int divisions = 3;
 };
 
 /// How far one surface is from another. The distance of a sample to the other surface is exact but for rounding.

@@ -125,6 +125,7 @@ TEST_F(Levelset, Usage) {
   expect_error(extract({"-o", "s.mesh", "--frob"}), 2, {"--frob", "taut levelset extract --help"});
   expect_error(extract({"-o", "s.mesh", "--level", "high"}), 2, {"--level", "high found, expected a number"});
   expect_error(extract({"-o", "s.mesh", "--spacing", "0"}), 2, {"--spacing", "above 0"});
+  expect_error(extract({"-o", "s.mesh", "--divisions", "0"}), 2, {"--divisions", "1 to 1000"});
 }
 
 }  // namespace
