@@ -79,7 +79,8 @@ inline constexpr std::size_t sign_patterns = 81;
 
 /// The row of the table.
 constexpr std::size_t pattern_of(const Signs& s) {
-  return static_cast<std::size_t>(s[0] + 1 + 3 * (s[1] + 1) + 9 * (s[2] + 1) + 27 * (s[3] + 1));
+  const int pattern = s[0] + 1 + 3 * (s[1] + 1) + 9 * (s[2] + 1) + 27 * (s[3] + 1);
+  return static_cast<std::size_t>(pattern);
 }
 
 constexpr Signs signs_of(std::size_t pattern) {
