@@ -41,7 +41,7 @@ AdaptResult adapt_files(const AdaptJob& job, const Interrupt& interrupt) {
 
   ProgressLine line(job.quiet);
   AdaptOptions options = job.options;
-  options.gradation = gradation_of(job);
+  options.limits = limits_of(job.limits);
   options.progress = [&](const Progress& progress) {
     line.show(progress);
     return !interrupt.requested();

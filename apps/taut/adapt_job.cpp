@@ -25,35 +25,11 @@ void add_files(CLI::App& command, AdaptJob& job) {
   command.add_flag("--quiet", job.quiet, "print only errors");
 }
 
-void add_sizes(CLI::App& command, AdaptJob& job) {
-  AdaptOptions& options = job.options;
+void add_size(CLI::App& command, AdaptJob& job) {
   const auto set_size = [&job](const std::string& word) { job.size = number_in(word); };
   command.add_option_function<std::string>("--size", set_size, "one size everywhere, instead of a metric")
       ->type_name("H")
       ->check(positive_number());
-  command.add_option("--hmin", options.hmin, "smallest size; smaller ones become H")
-      ->type_name("H")
-      ->check(positive_number());
-  command.add_option("--hmax", options.hmax, "largest size; larger ones become H")
-      ->type_name("H")
-      ->check(positive_number());
-}
-
-void add_gradation(CLI::App& command, AdaptJob& job) {
-  const auto set_beta = [&job](const std::string& word) { job.beta = number_in(word); };
-  CLI::Option* beta =
-      command
-          .add_option_function<std::string>(
-              "--gradation", set_beta, "largest factor by which sizes may grow per unit length, or off (the default)")
-          ->type_name("BETA")
-          ->check(word_or("off", number([](double x) { return x > 1 && std::isfinite(x); }, "a number above 1")));
-  command
-      .add_option("--gradation-mix", job.mix,
-                  "0: growth per unit length in the metric; 1: per physical size; or a mix of both")
-      ->type_name("T")
-      ->capture_default_str()
-      ->needs(beta)
-      ->check(number([](double x) { return x >= 0 && x <= 1; }, "a number from 0 to 1"));
 }
 
 void add_surface(CLI::App& command, AdaptOptions& options) {
@@ -84,8 +60,8 @@ void require_one_target(const AdaptJob& job) {
 
 void add_options(CLI::App& command, AdaptJob& job) {
   add_files(command, job);
-  add_sizes(command, job);
-  add_gradation(command, job);
+  add_size(command, job);
+  add_limits(command, job.limits);
   add_surface(command, job.options);
   command
       .add_option("--rounds,--passes", job.options.max_rounds,
@@ -103,16 +79,9 @@ void add_options(CLI::App& command, AdaptJob& job) {
   command.footer(examples);
 }
 
-std::optional<Gradation> gradation_of(const AdaptJob& job) {
-  if (!job.beta) return {};
-  return Gradation{.beta = *job.beta, .mix = job.mix};
-}
-
 void require_sound(const AdaptJob& job) {
   require_one_target(job);
-  if (job.options.hmin > job.options.hmax)
-    throw InputError(fmt::format("--hmin: {} found, expected at most --hmax {}; see 'taut adapt --help'",
-                                 job.options.hmin, job.options.hmax));
+  require_sound(job.limits, "adapt");
 }
 
 }  // namespace taut::program

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "limits.hpp"
 #include "taut/adapt.hpp"
 
 namespace taut::program {
@@ -13,15 +14,11 @@ struct AdaptJob {
   std::string input, metric, output;
   std::string report, metric_out;  ///< empty: not written
   std::optional<double> size;      ///< wanted everywhere, instead of a metric
-  std::optional<double> beta;      ///< of the gradation; none: no gradation
-  double mix = Gradation{}.mix;    ///< of the gradation
+  AskedLimits limits;
   bool quiet = false;
   int threads = 0;
-  AdaptOptions options;  ///< without `gradation`, which `beta` and `mix` give
+  AdaptOptions options;  ///< without the limits
 };
-
-/// The gradation that the job asks for.
-[[nodiscard]] std::optional<Gradation> gradation_of(const AdaptJob& job);
 
 /// Adds the options to `command`; they fill `job`, which must outlive it.
 void add_options(CLI::App& command, AdaptJob& job);

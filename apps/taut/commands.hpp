@@ -12,6 +12,7 @@ namespace taut::program {
 using Job = std::function<void()>;
 
 void add_adapt(CLI::App& app, Job& job);
+void add_levelset(CLI::App& app, Job& job);
 void add_metric(CLI::App& app, Job& job);
 void add_quality(CLI::App& app, Job& job);
 

@@ -21,17 +21,17 @@ void require_output(const std::string& file, std::span<const std::string_view> e
 /// Writes a temporary file beside `file`, then renames it. Throws Failure.
 void write_text(const std::string& file, std::string_view text);
 
-/// The library's message about a mesh from file `mesh` and a metric from file `metric`, prefixed with the name of the
-/// file that it is about.
-[[nodiscard]] std::string with_file(std::string_view message, std::string_view mesh, std::string_view metric);
+/// The library's message about a mesh from file `mesh` and a metric or field from file `values`, prefixed with the name
+/// of the file that it is about.
+[[nodiscard]] std::string with_file(std::string_view message, std::string_view mesh, std::string_view values);
 
 /// Calls work() and adds the names of the files to its errors: the library does not know where its arrays come from.
 template <class Work>
-auto with_files(std::string_view mesh, std::string_view metric, Work work) {
+auto with_files(std::string_view mesh, std::string_view values, Work work) {
   try {
     return work();
   } catch (const InputError& error) {
-    throw InputError(with_file(error.what(), mesh, metric));
+    throw InputError(with_file(error.what(), mesh, values));
   }
 }
 

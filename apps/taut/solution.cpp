@@ -10,11 +10,7 @@ namespace {
 void add_components(const Field& field, const std::string& file, std::vector<std::vector<double>>& all) {
   if (field.kind == Field::Kind::tensor)
     throw InputError(fmt::format("{}: a tensor field found, expected scalars or vectors", file));
-  const std::size_t size = field.size(), points = field.values.size() / size;
-  for (std::size_t k = 0; k < size; ++k) {
-    auto& component = all.emplace_back(points);
-    for (std::size_t i = 0; i < points; ++i) component[i] = field.values[i * size + k];
-  }
+  for (std::size_t k = 0; k < field.size(); ++k) all.push_back(field.component(k));
 }
 
 void require_finite(const Field& field, const std::string& file) {

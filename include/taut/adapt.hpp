@@ -11,7 +11,7 @@
 
 #include "taut/error.hpp"
 #include "taut/export.hpp"
-#include "taut/gradation.hpp"
+#include "taut/limits.hpp"
 #include "taut/mesh.hpp"
 #include "taut/metric.hpp"
 #include "taut/quality.hpp"
@@ -33,12 +33,10 @@ using ProgressCallback = std::function<bool(const Progress&)>;
 
 /// How a mesh is adapted. The defaults suit most meshes.
 struct AdaptOptions {
-  Surface surface = Surface::adapt;                       ///< what may change on the boundary and between regions
-  double hmin = 0;                                        ///< smallest size: smaller ones in the metric become hmin
-  double hmax = std::numeric_limits<double>::infinity();  ///< largest size: larger ones in the metric become hmax
-  /// How fast sizes may grow along the edges of the input; none: no limit. Gradation samples a metric function at the
-  /// input's vertices only: the target is then the field on the input mesh, no longer the function.
-  std::optional<Gradation> gradation{};
+  Surface surface = Surface::adapt;  ///< what may change on the boundary and between regions
+  /// Applied to the metric before the work starts. Gradation samples a metric function at the input's vertices only:
+  /// the target is then the field on the input mesh, no longer the function.
+  Limits limits{};
   double ridge_angle = 45;  ///< degrees; an edge is a ridge if the normals of its two triangles differ by this or more
   int max_rounds = 40;      ///< the adaptation ends earlier once a round gains less than it costs
   ProgressCallback progress{};  ///< may end the adaptation after each pass

@@ -20,6 +20,13 @@ struct Field {
 
   /// Numbers per vertex.
   [[nodiscard]] std::size_t size() const { return kind == Kind::scalar ? 1 : kind == Kind::vector ? 3 : 6; }
+
+  /// Number k < size() of every vertex.
+  [[nodiscard]] std::vector<double> component(std::size_t k) const {
+    std::vector<double> numbers(values.size() / size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = values[i * size() + k];
+    return numbers;
+  }
 };
 
 }  // namespace taut

@@ -1,14 +1,12 @@
 // From a solution to a metric: Hessians, error-driven metrics, and what they are made from.
 #pragma once
 
-#include <limits>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "taut/export.hpp"
-#include "taut/gradation.hpp"
+#include "taut/limits.hpp"
 #include "taut/mesh.hpp"
 #include "taut/metric.hpp"
 
@@ -29,20 +27,6 @@ enum class Recovery {
 /// and for one that is not finite, naming its index.
 [[nodiscard]] TAUT_EXPORT Tensors recover_hessian(const Mesh& mesh, std::span<const double> values,
                                                   Recovery recovery = Recovery::least_squares);
-
-/// Limits that a metric has to respect.
-struct Limits {
-  double hmin = 0;  ///< smallest size
-  /// Largest size; if it is infinite, the functions that make a metric of a solution take the diagonal of the domain's
-  /// bounding box, because a field may be linear in some direction, which asks for infinitely long edges.
-  double hmax = std::numeric_limits<double>::infinity();
-  double anisotropy = std::numeric_limits<double>::infinity();  ///< largest ratio (>= 1) of two sizes at one point
-  std::optional<Gradation> gradation{};                         ///< how fast sizes may grow; none: as fast as they like
-};
-
-/// The metric with all limits applied: sizes that are too small or too large are clipped, those that are too long for
-/// the anisotropy are shortened, then the metric is graded. A metric within all limits keeps its bits.
-[[nodiscard]] TAUT_EXPORT Tensors limited(const Mesh& mesh, Tensors metric, const Limits& limits);
 
 inline constexpr double vertices_per_complexity = 2.6;     ///< of a unit mesh with thousands of vertices (measured)
 inline constexpr double tetrahedra_per_complexity = 10.5;  ///< of a unit mesh (measured)

@@ -6,39 +6,19 @@
 #include "base/stopwatch.hpp"
 #include "geometry/classify.hpp"
 #include "mesh/build.hpp"
-#include "mesh/edges.hpp"
 #include "metric/field.hpp"
 #include "sizing/complexity.hpp"
-#include "sizing/gradation.hpp"
-#include "sizing/truncation.hpp"
+#include "sizing/limits.hpp"
 
 namespace taut {
 void require_options(const AdaptOptions& o) {
-  if (!(o.hmin >= 0) || !(o.hmax > 0) || !(o.hmin <= o.hmax))
-    throw InputError(fmt::format("hmin {}, hmax {} found, expected 0 <= hmin <= hmax, hmax > 0", o.hmin, o.hmax));
-  if (o.gradation) require_gradation(*o.gradation);
+  require_limits(o.limits);
   if (!(o.ridge_angle > 0 && o.ridge_angle < 180))
     throw InputError(fmt::format("ridge angle {} found, expected between 0 and 180 degrees", o.ridge_angle));
   if (o.max_rounds < 0) throw InputError(fmt::format("{} rounds found, expected 0 or more", o.max_rounds));
 }
 
 namespace {
-
-Limits bounds_of(const AdaptOptions& options) {
-  return {.hmin = options.hmin, .hmax = options.hmax};
-}
-
-std::vector<Sym3> limited_metric(const Mesh& mesh, const Metric& metric, const AdaptOptions& options) {
-  std::vector<Sym3> metrics = tensors_at(mesh, metric);
-  const auto truncate_all = [&] {
-    for_each_index(metrics.size(), [&](std::size_t v) { metrics[v] = truncate(metrics[v], bounds_of(options)); });
-  };
-  truncate_all();
-  if (!options.gradation) return metrics;
-  metrics = gradate(mesh.points, edges_of(mesh.tetrahedra), std::move(metrics), *options.gradation);
-  truncate_all();  // the intersection of metrics in oblique directions can have smaller sizes than either
-  return metrics;
-}
 
 // The metrics of the input's points go to the vertices. Returns them by vertex.
 std::vector<Sym3> place_metrics(TetMesh& mesh, const std::vector<Sym3>& metrics) {
@@ -53,8 +33,8 @@ std::vector<Sym3> place_metrics(TetMesh& mesh, const std::vector<Sym3>& metrics)
 std::unique_ptr<const Target> make_target(const Metric& metric, const AdaptOptions& options,
                                           const Background& background, const std::vector<Sym3>& metrics) {
   const auto* function = std::get_if<MetricFunction>(&metric);
-  if (function == nullptr || options.gradation) return std::make_unique<Target>(background, metrics);
-  return std::make_unique<Target>(*function, bounds_of(options));
+  if (function == nullptr || options.limits.gradation) return std::make_unique<Target>(background, metrics);
+  return std::make_unique<Target>(*function, options.limits);
 }
 
 std::vector<std::uint32_t> inverse(const std::vector<TetId>& tet_of_input) {
@@ -91,7 +71,8 @@ Session set_up(const Mesh& mesh, const Metric& metric, const AdaptOptions& optio
   report.seconds.emplace_back("geometry", geometry_watch.seconds());
 
   const Stopwatch metric_watch;
-  const std::vector<Sym3> metrics = place_metrics(built.mesh, limited_metric(mesh, metric, options));
+  const std::vector<Sym3> metrics =
+      place_metrics(built.mesh, apply_limits(mesh, tensors_at(mesh, metric), options.limits));
   auto background = std::make_unique<const Background>(built.mesh);
   auto target = make_target(metric, options, *background, metrics);
   Session session{std::move(built.mesh),

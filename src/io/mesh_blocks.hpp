@@ -65,9 +65,11 @@ void for_each_block(AnyMesh& mesh, Visitor&& visit) {
   visit(Code::required_tetrahedra, IndexRows{mesh.required_tetrahedra, mesh.tetrahedra.size(), "tetrahedron"});
 }
 
-/// Those without which a file is no mesh for taut; the others may be absent.
-constexpr bool is_required(Code code) {
-  return code == Code::vertices || code == Code::tetrahedra;
+/// Without vertices and elements of this kind a file is no mesh for taut; all else may be absent.
+enum class Needs { tetrahedra, triangles };
+
+constexpr bool is_required(Code code, Needs needs = Needs::tetrahedra) {
+  return code == Code::vertices || code == (needs == Needs::tetrahedra ? Code::tetrahedra : Code::triangles);
 }
 
 }  // namespace taut::gmf

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <utility>
 
 #include "io/mesh_blocks.hpp"
 #include "io/open_block.hpp"
@@ -95,12 +96,12 @@ void append_block(const GmfFile& file, const Block& block, const Rows& rows) {
 
 }  // namespace
 
-Mesh read_mesh(const GmfFile& file) {
+Mesh read_mesh(const GmfFile& file, Needs needs) {
   require_three_dimensions(file);
   refuse_foreign_elements(file);
   Mesh mesh;
   for_each_block(mesh, [&](Code code, const auto& rows) {
-    if (is_required(code)) (void)file.require(code);
+    if (is_required(code, needs)) (void)file.require(code);
     for (const Block& block : file.blocks) {
       if (block.code == code) append_block(file, block, rows);
     }
@@ -114,6 +115,11 @@ namespace taut {
 
 Mesh read_mesh(const std::filesystem::path& path) {
   return gmf::read_mesh(gmf::open(path, ".mesh", ".meshb"));
+}
+
+SurfaceMesh read_surface(const std::filesystem::path& path) {
+  Mesh mesh = gmf::read_mesh(gmf::open(path, ".mesh", ".meshb"), gmf::Needs::triangles);
+  return {std::move(mesh.points), std::move(mesh.triangles)};
 }
 
 }  // namespace taut

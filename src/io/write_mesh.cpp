@@ -107,4 +107,11 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
   file.commit();
 }
 
+void write_surface(const std::filesystem::path& path, const SurfaceMesh& surface) {
+  Mesh mesh;
+  mesh.points = surface.points;
+  mesh.triangles = surface.triangles;
+  write_mesh(path, mesh);
+}
+
 }  // namespace taut

@@ -7,8 +7,8 @@
 #include "base/ids.hpp"
 #include "base/sym3.hpp"
 #include "locate/background.hpp"
+#include "taut/limits.hpp"
 #include "taut/metric.hpp"
-#include "taut/sizing.hpp"
 
 namespace taut {
 

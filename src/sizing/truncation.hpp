@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/sym3.hpp"
-#include "taut/sizing.hpp"
+#include "taut/limits.hpp"
 
 namespace taut {
 

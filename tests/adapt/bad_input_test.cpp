@@ -99,15 +99,15 @@ TEST(BadInput, Options) {
     set(options);
     expect_refused(mesh, metric, options, {word});
   };
-  expect_option_refused([](AdaptOptions& o) { o.hmin = -1; }, "hmin");
-  expect_option_refused([](AdaptOptions& o) { o.hmin = nan; }, "hmin");
-  expect_option_refused([](AdaptOptions& o) { o.hmax = 0; }, "hmax");
-  expect_option_refused([](AdaptOptions& o) { o.hmin = 2, o.hmax = 1; }, "hmax");
-  expect_option_refused([](AdaptOptions& o) { o.hmax = nan; }, "hmax");
+  expect_option_refused([](AdaptOptions& o) { o.limits.hmin = -1; }, "hmin");
+  expect_option_refused([](AdaptOptions& o) { o.limits.hmin = nan; }, "hmin");
+  expect_option_refused([](AdaptOptions& o) { o.limits.hmax = 0; }, "hmax");
+  expect_option_refused([](AdaptOptions& o) { o.limits.hmin = 2, o.limits.hmax = 1; }, "hmax");
+  expect_option_refused([](AdaptOptions& o) { o.limits.hmax = nan; }, "hmax");
   for (const double beta : {1.0, nan, infinity})
-    expect_option_refused([beta](AdaptOptions& o) { o.gradation = Gradation{.beta = beta}; }, "gradation: beta");
+    expect_option_refused([beta](AdaptOptions& o) { o.limits.gradation = Gradation{.beta = beta}; }, "gradation: beta");
   for (const double mix : {-0.1, nan, 1.1})
-    expect_option_refused([mix](AdaptOptions& o) { o.gradation = Gradation{.mix = mix}; }, "gradation: mix");
+    expect_option_refused([mix](AdaptOptions& o) { o.limits.gradation = Gradation{.mix = mix}; }, "gradation: mix");
   expect_option_refused([](AdaptOptions& o) { o.ridge_angle = 0; }, "angle");
   expect_option_refused([](AdaptOptions& o) { o.ridge_angle = 180; }, "angle");
   expect_option_refused([](AdaptOptions& o) { o.max_rounds = -1; }, "-1 rounds");

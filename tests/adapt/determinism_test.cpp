@@ -38,8 +38,8 @@ std::vector<Case> cases() {
   AdaptOptions fixed;
   fixed.surface = Surface::fixed;
   AdaptOptions graded;
-  graded.gradation = Gradation{};
-  graded.hmin = 0.01;
+  graded.limits.gradation = Gradation{};
+  graded.limits.hmin = 0.01;
   return {
       {"front", 0x9061d39ea00361a9U, cube, test::front(0.3, 0.6), {}},
       sampled("front_on_the_input", 0x581575bd9042de04U, cube, test::front(0.3, 0.6)),

@@ -56,7 +56,7 @@ TEST(Adapt, AConstantMetricComesOutOfGradationUnchanged) {
     AdaptOptions options = with_rounds(4);
     const auto without = adapt(mesh, constant, options);
     for (const double mix : {0.0, 0.5, 1.0}) {
-      options.gradation = Gradation{.beta = 1.05, .mix = mix};
+      options.limits.gradation = Gradation{.beta = 1.05, .mix = mix};
       EXPECT_EQ(adapt(mesh, constant, options).report.hash, without.report.hash);
     }
     for (const Tensor& at : without.metric) EXPECT_LT(test::distance(at, m), 1e-12);
@@ -69,19 +69,19 @@ TEST(Adapt, GradationRefinesRoundASmallSize) {
   sizes[62] = 0.03;  // the middle
   AdaptOptions options;
   const auto without = adapt(mesh, sizes, options);
-  options.gradation = Gradation{.beta = 1.3};
+  options.limits.gradation = Gradation{.beta = 1.3};
   const auto with = adapt(mesh, sizes, options);
   test::expect_faithful(with, mesh);
   EXPECT_GT(with.mesh.tetrahedra.size(), without.mesh.tetrahedra.size());
-  options.gradation = Gradation{.beta = 100};
+  options.limits.gradation = Gradation{.beta = 100};
   EXPECT_EQ(adapt(mesh, sizes, options).report.hash, without.report.hash) << "so steep that it requires nothing";
 }
 
 TEST(Adapt, BoundsOnSizesHold) {
   const Mesh mesh = cube(3);
   AdaptOptions options;
-  options.hmin = 0.2;
-  options.hmax = 0.25;
+  options.limits.hmin = 0.2;
+  options.limits.hmax = 0.25;
   for (const double h : {0.001, 100.0}) {
     const double expected = h < 1 ? 0.2 : 0.25;
     const auto by_sizes = adapt(mesh, Sizes(mesh.points.size(), h), options);

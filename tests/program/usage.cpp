@@ -19,7 +19,7 @@ TEST_F(Usage, HelpHasExamples) {
 }
 
 TEST_F(Usage, UnknownWords) {
-  expect_error({}, 2, {"no command", "taut --help"});
+  expect_error({}, 2, {"no command found, expected adapt, levelset or quality", "taut --help"});
   expect_error({"adopt"}, 2, {"adopt", "taut --help"});
   expect_error({"adapt", "--frob"}, 2, {"--frob", "taut adapt --help"});
   expect_error({"quality", "a.mesh", "b.mesh"}, 2, {"b.mesh", "taut quality --help"});
