@@ -5,12 +5,14 @@
 #include "taut/error.hpp"
 #include "taut/field.hpp"
 #include "taut/gradation.hpp"
+#include "taut/host.hpp"
 #include "taut/io.hpp"
 #include "taut/mesh.hpp"
 #include "taut/metric.hpp"
 #include "taut/quality.hpp"
 #include "taut/surface.hpp"
 #include "taut/threads.hpp"
+#include "taut/transfer.hpp"
 #include "taut/version.hpp"
 
 /// Anisotropic tetrahedral mesh adaptation: adapt() is where to begin.

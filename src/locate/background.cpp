@@ -44,7 +44,7 @@ Weights Background::barycentric(CellId cell, const Vec3& x) const {
   return {w[0] * scale, w[1] * scale, w[2] * scale, w[3] * scale};
 }
 
-// Walks from cell to cell, across the face that the point is farthest behind. False if the boundary was in the way.
+// From cell to cell, across the face that the point is farthest behind.
 bool Background::walk(const Vec3& x, CellId& host, Weights& weights) const {
   CellId from = none;
   for (int step = 0; step < most_steps; ++step) {

@@ -1,0 +1,149 @@
+#include "locate/triangle_tree.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "locate/closest_on_triangle.hpp"
+
+namespace taut {
+namespace {
+
+constexpr std::size_t most_in_leaf = 4;
+constexpr std::size_t most_levels = 40;
+
+/// The squared distance of x from a box. It has the operations and the order of OnTriangle::squared_distance, and
+/// rounding is monotone: it never exceeds the distance of a point in the box.
+double squared_distance(const Vec3& x, const Vec3& low, const Vec3& high) {
+  Vec3 away;
+  for (std::size_t d = 0; d < 3; ++d) away[d] = x[d] - std::clamp(x[d], low[d], high[d]);
+  return dot(away, away);
+}
+
+void stretch(Vec3& low, Vec3& high, const Vec3& x) {
+  for (std::size_t d = 0; d < 3; ++d) {
+    low[d] = std::min(low[d], x[d]);
+    high[d] = std::max(high[d], x[d]);
+  }
+}
+
+std::size_t depth_for(std::size_t leaves) {
+  std::size_t depth = 0;
+  while (leaves > (most_in_leaf << depth)) ++depth;
+  return depth;
+}
+
+}  // namespace
+
+struct TriangleTree::Centre {
+  Vec3 x;
+  Index triangle;
+};
+
+TriangleTree::TriangleTree(std::span<const Vec3> points, std::span<const std::array<Index, 3>> triangles)
+    : depth_(depth_for(triangles.size())) {
+  assert(!triangles.empty());
+  std::vector<Centre> centres(triangles.size());
+  for_each_index(centres.size(), [&](std::size_t t) {
+    const auto& [a, b, c] = triangles[t];
+    centres[t] = {(1.0 / 3) * (points[a] + points[b] + points[c]), static_cast<Index>(t)};
+  });
+  split(centres);
+  set_leaves(points, triangles, centres);
+  set_boxes();
+}
+
+// Halves differ by at most one leaf.
+TriangleTree::Range TriangleTree::range_of(std::size_t level, std::size_t place) const {
+  const std::size_t count = leaf_of_.size();
+  return {(count * place) >> level, (count * (place + 1)) >> level};
+}
+
+// Sorts the centres into the order of the leaves: level by level, each node is halved across the longest side of the
+// box around its centres.
+void TriangleTree::split(std::vector<Centre>& centres) const {
+  const auto at = [&](std::size_t i) { return centres.begin() + static_cast<std::ptrdiff_t>(i); };
+  for (std::size_t level = 0; level < depth_; ++level) {
+    for_each_task(std::size_t{1} << level, [&](std::size_t place, int) {
+      const auto [begin, end] = range_of(level, place);
+      Vec3 low = centres[begin].x, high = low;
+      for (std::size_t i = begin; i < end; ++i) stretch(low, high, centres[i].x);
+      const Vec3 sides = high - low;
+      const auto axis = static_cast<std::size_t>(std::max_element(sides.begin(), sides.end()) - sides.begin());
+      const auto is_before = [axis](const Centre& a, const Centre& b) {
+        return a.x[axis] != b.x[axis] ? a.x[axis] < b.x[axis] : a.triangle < b.triangle;
+      };
+      std::nth_element(at(begin), at(range_of(level + 1, 2 * place).end), at(end), is_before);
+    });
+  }
+}
+
+void TriangleTree::set_leaves(std::span<const Vec3> points, std::span<const std::array<Index, 3>> triangles,
+                              const std::vector<Centre>& centres) {
+  leaves_.resize(centres.size());
+  leaf_of_.resize(centres.size());
+  for_each_index(centres.size(), [&](std::size_t leaf) {
+    const Index triangle = centres[leaf].triangle;
+    const auto& [a, b, c] = triangles[triangle];
+    leaves_[leaf] = {{points[a], points[b], points[c]}, triangle};
+    leaf_of_[triangle] = static_cast<Index>(leaf);
+  });
+}
+
+void TriangleTree::set_boxes() {
+  const std::size_t lowest = std::size_t{1} << depth_;
+  boxes_.resize(2 * lowest);
+  for_each_index(lowest, [&](std::size_t place) {
+    const auto [begin, end] = range_of(depth_, place);
+    Box box{leaves_[begin].corners[0], leaves_[begin].corners[0]};
+    for (std::size_t i = begin; i < end; ++i)
+      for (const Vec3& corner : leaves_[i].corners) stretch(box.low, box.high, corner);
+    boxes_[lowest + place] = box;
+  });
+  for (std::size_t node = lowest - 1; node > 0; --node) {
+    boxes_[node] = boxes_[2 * node];
+    stretch(boxes_[node].low, boxes_[node].high, boxes_[2 * node + 1].low);
+    stretch(boxes_[node].low, boxes_[node].high, boxes_[2 * node + 1].high);
+  }
+}
+
+TriangleTree::Nearest TriangleTree::closest(const Vec3& x, Index guess) const {
+  struct Open {
+    std::size_t node;
+    double squared_distance;
+  };
+  const auto open = [&](std::size_t node) {
+    return Open{node, squared_distance(x, boxes_[node].low, boxes_[node].high)};
+  };
+  Nearest best{.squared_distance = std::numeric_limits<double>::infinity()};
+  try_leaf(x, leaf_of_[guess], best);
+  std::array<Open, most_levels> stack;
+  std::size_t height = 0;
+  stack[height++] = open(1);
+  while (height > 0) {
+    const auto [node, distance] = stack[--height];
+    if (distance > best.squared_distance) continue;
+    if (node >> depth_ != 0) {
+      const auto [begin, end] = range_of(depth_, node - (std::size_t{1} << depth_));
+      for (std::size_t leaf = begin; leaf < end; ++leaf) try_leaf(x, leaf, best);
+      continue;
+    }
+    Open near = open(2 * node), far = open(2 * node + 1);
+    if (far.squared_distance < near.squared_distance) std::swap(near, far);
+    stack[height++] = far;
+    stack[height++] = near;
+  }
+  return best;
+}
+
+void TriangleTree::try_leaf(const Vec3& x, std::size_t leaf, Nearest& best) const {
+  const auto& [corners, triangle] = leaves_[leaf];
+  const OnTriangle at = closest_on_triangle(x, corners);
+  if (at.squared_distance > best.squared_distance) return;
+  if (at.squared_distance == best.squared_distance && triangle >= best.triangle) return;
+  best = {triangle, at.point, at.weights, at.squared_distance};
+}
+
+}  // namespace taut

@@ -1,0 +1,3 @@
+#pragma once
+#include "mesh/shapes.hpp"
+#include "taut/transfer.hpp"
