@@ -13,12 +13,21 @@
 namespace taut::program {
 namespace {
 
+// "adapt, quality or transfer"
+std::string commands_of(const CLI::App& app) {
+  std::string list;
+  const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+  for (std::size_t i = 0; i < commands.size(); ++i)
+    list += (i == 0 ? "" : i + 1 < commands.size() ? ", " : " or ") + commands[i]->get_name();
+  return list;
+}
+
 std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
   // An unknown word explains why others seem to be missing, so it is named first.
   for (const std::string& word : app.remaining(true)) {
     return fmt::format("unknown {} {}", word.starts_with('-') ? "option" : "word", word);
   }
-  if (app.get_subcommands().empty()) return "no command found, expected adapt or quality";
+  if (app.get_subcommands().empty()) return "no command found, expected " + commands_of(app);
 
   std::string text = error.what();
   if (error.get_name() != "ArgumentMismatch") return text;
@@ -55,6 +64,7 @@ void run(int argc, char** argv) {
   Job job;
   add_adapt(app, job);
   add_quality(app, job);
+  add_transfer(app, job);
   if (parse(app, argc, argv)) job();
 }
 

@@ -13,5 +13,6 @@ using Job = std::function<void()>;
 
 void add_adapt(CLI::App& app, Job& job);
 void add_quality(CLI::App& app, Job& job);
+void add_transfer(CLI::App& app, Job& job);
 
 }  // namespace taut::program

@@ -50,10 +50,10 @@ void write_text(const std::string& file, std::string_view text) {
   throw Failure(fmt::format("{}: cannot be written", file));
 }
 
-std::string with_file(std::string_view message, std::string_view mesh, std::string_view metric) {
-  constexpr std::string_view about_metric = "metric: ";
-  if (!message.starts_with(about_metric)) return fmt::format("{}: {}", mesh, message);
-  return fmt::format("{}: {}", metric, message.substr(about_metric.size()));
+std::string with_file(std::string_view message, std::string_view mesh, std::span<const Source> others) {
+  for (const auto& [prefix, file] : others)
+    if (message.starts_with(prefix)) return fmt::format("{}: {}", file, message.substr(prefix.size()));
+  return fmt::format("{}: {}", mesh, message);
 }
 
 }  // namespace taut::program
