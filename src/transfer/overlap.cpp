@@ -52,15 +52,16 @@ double part(const Weights4& a, const Weights4& b, const Weights4& c, const Weigh
 template <Weights4 Polyhedron::Vertex::*target, Weights4 Polyhedron::Vertex::*source>
 void integrate(const Polyhedron& polyhedron, double whole, Overlap& result) {
   const auto v = polyhedron.vertices();
-  std::array<double, 64> share{};  // volume of the tetrahedra at each vertex
+  std::array<double, Polyhedron::most> share;  // volume of the tetrahedra at each vertex
+  std::fill_n(share.begin(), v.size(), 0.0);
   polyhedron.for_each_triangle_seen_from_first([&](std::size_t i, std::size_t j, std::size_t k) {
     const double volume = part(v[0].own, v[i].own, v[k].own, v[j].own);
     result.volume += volume;
     for (const std::size_t at : {std::size_t{0}, i, j, k}) share[at] += volume;
-    const Weights4 t = scaled(volume, sum_of(v[0].*target, v[i].*target, v[j].*target, v[k].*target));
+    const Weights4 t = sum_of(v[0].*target, v[i].*target, v[j].*target, v[k].*target);
     const Weights4 s = sum_of(v[0].*source, v[i].*source, v[j].*source, v[k].*source);
-    add_product(result.target_source, t, s);
-    add_product(result.target_target, t, sum_of(v[0].*target, v[i].*target, v[j].*target, v[k].*target));
+    add_product(result.target_source, scaled(volume, t), s);
+    add_product(result.target_target, scaled(volume, t), t);
   });
   for (std::size_t i = 0; i < v.size(); ++i) {
     const Weights4 t = scaled(share[i], v[i].*target);

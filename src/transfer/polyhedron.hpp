@@ -1,6 +1,7 @@
 // The intersection of two tetrahedra.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -34,9 +35,11 @@ public:
   template <class Visit>
   void for_each_triangle_seen_from_first(Visit visit) const;
 
-private:
-  static constexpr std::size_t most = 64;  ///< the intersection has at most 12 vertices; clipping adds some meanwhile
+  /// The intersection has at most 12 vertices. Before the clipped ones are removed there may be more: at most 43, even
+  /// if rounding made all signs random.
+  static constexpr std::size_t most = 48;
 
+private:
   [[nodiscard]] bool clip_by(std::size_t weight);
   void cut_edges(std::size_t weight, const std::array<bool, most>& clipped);
   void link_cut(std::size_t first);
@@ -53,7 +56,8 @@ private:
 // Each face is walked once, from each of its directed edges that has not been walked.
 template <class Visit>
 void Polyhedron::for_each_triangle_seen_from_first(Visit visit) const {
-  std::array<std::uint8_t, most> walked{};  // one bit for each of the three edges
+  std::array<std::uint8_t, most> walked;  // one bit for each of the three edges
+  std::fill_n(walked.begin(), count_, std::uint8_t{0});
   for (std::size_t start = 0; start < count_; ++start) {
     for (std::size_t edge = 0; edge < 3; ++edge) {
       if ((walked[start] >> edge & 1) != 0) continue;
