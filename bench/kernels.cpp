@@ -8,6 +8,7 @@
 
 #include "adapt/block_passes.hpp"
 #include "adapt/setup.hpp"
+#include "base/stopwatch.hpp"
 #include "cavity/face_batch.hpp"
 #include "cavity/vertex_batch.hpp"
 #include "mesh/grid.hpp"
@@ -48,7 +49,7 @@ std::vector<Corners> sample_tets(const TetMesh& mesh) {
   return tets;
 }
 
-Problem grid_problem(Index n) {
+Session grid_problem(Index n) {
   Report report;
   return set_up(test::grid(n), stretched_metric, {}, report);
 }
@@ -65,7 +66,7 @@ BENCHMARK(edge_lengths<edge_length>);
 BENCHMARK(edge_lengths<edge_length_fast>);
 
 void shape_qualities(benchmark::State& state) {
-  const Problem problem = grid_problem(10);
+  const Session problem = grid_problem(10);
   const std::vector<Corners> tets = sample_tets(problem.mesh);
   for (auto _ : state)
     for (const auto& [a, b, c, d] : tets)
@@ -75,7 +76,7 @@ void shape_qualities(benchmark::State& state) {
 BENCHMARK(shape_qualities);
 
 void orientations(benchmark::State& state) {
-  const Problem problem = grid_problem(10);
+  const Session problem = grid_problem(10);
   const std::vector<Corners> tets = sample_tets(problem.mesh);
   for (auto _ : state)
     for (const auto& [a, b, c, d] : tets) benchmark::DoNotOptimize(orientation(a->x, b->x, c->x, d->x));
@@ -84,7 +85,7 @@ void orientations(benchmark::State& state) {
 BENCHMARK(orientations);
 
 void delaunay_conflicts(benchmark::State& state) {
-  const Problem problem = grid_problem(10);
+  const Session problem = grid_problem(10);
   const std::vector<Corners> tets = sample_tets(problem.mesh);
   for (auto _ : state)
     for (std::size_t i = 1; i < tets.size(); ++i) benchmark::DoNotOptimize(in_conflict(*tets[i - 1][0], tets[i]));
@@ -111,7 +112,7 @@ BENCHMARK(face_batches)->Arg(10)->Arg(24)->Arg(40);
 void measure_pass(benchmark::State& state, int rounds, void (*pass)(BlockPasses&), Tally Tallies::*kind) {
   std::size_t accepted = 0, tried = 0;
   for (auto _ : state) {
-    Problem problem = grid_problem(8);
+    Session problem = grid_problem(8);
     BlockPasses passes(problem, 0);
     for (int i = 0; i < rounds; ++i) {
       passes.cut();
