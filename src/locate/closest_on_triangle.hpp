@@ -21,43 +21,53 @@ namespace detail {
 inline OnTriangle at_weights(const Vec3& x, const std::array<Vec3, 3>& v, const std::array<double, 3>& w) {
   OnTriangle at{w[0] * v[0] + w[1] * v[1] + w[2] * v[2], w, 0};
   for (std::size_t d = 0; d < 3; ++d) {
-    const auto [low, high] = std::minmax({v[0][d], v[1][d], v[2][d]});
-    at.point[d] = std::clamp(at.point[d], low, high);
+    const double low = std::min(v[0][d], std::min(v[1][d], v[2][d]));
+    const double high = std::max(v[0][d], std::max(v[1][d], v[2][d]));
+    at.point[d] = std::min(std::max(at.point[d], low), high);
   }
   const Vec3 away = x - at.point;
   at.squared_distance = dot(away, away);
   return at;
 }
 
-inline OnTriangle on_edge(const Vec3& x, const std::array<Vec3, 3>& v, std::size_t edge) {
-  const std::size_t i = edge, j = (edge + 1) % 3;
-  const Vec3 along = v[j] - v[i];
-  const double square = dot(along, along);
-  const double t = square > 0 ? std::clamp(dot(x - v[i], along) / square, 0.0, 1.0) : 0.0;
-  std::array<double, 3> w{};
-  w[i] = 1 - t;
-  w[j] = t;
-  return at_weights(x, v, w);
+/// The closest point on the three edges.
+inline OnTriangle on_edges(const Vec3& x, const std::array<Vec3, 3>& v) {
+  std::array<double, 3> weights{1, 0, 0};
+  double least = dot(x - v[0], x - v[0]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const Vec3 along = v[j] - v[i], from = x - v[i];
+    const double square = dot(along, along);
+    if (!(square > 0)) continue;
+    const double t = std::min(std::max(dot(from, along) / square, 0.0), 1.0);
+    const Vec3 away = from - t * along;
+    const double squared_distance = dot(away, away);
+    if (squared_distance >= least) continue;
+    least = squared_distance;
+    weights = {0, 0, 0};
+    weights[i] = 1 - t;
+    weights[j] = t;
+  }
+  return at_weights(x, v, weights);
 }
 
 }  // namespace detail
 
 /// The point of the triangle `v` that is closest to x. The triangle may be flat or a single point.
 [[nodiscard]] inline OnTriangle closest_on_triangle(const Vec3& x, const std::array<Vec3, 3>& v) {
+  constexpr double flat = 1e-12;  // squared height over squared length
   const Vec3 a = v[0] - x, b = v[1] - x, c = v[2] - x;
-  const Vec3 n = cross(v[1] - v[0], v[2] - v[0]);
+  const Vec3 ab = v[1] - v[0], ac = v[2] - v[0], n = cross(ab, ac);
   std::array<double, 3> w = {dot(cross(b, c), n), dot(cross(c, a), n), dot(cross(a, b), n)};
-  OnTriangle best = detail::on_edge(x, v, 0);
-  for (const std::size_t edge : {1, 2}) {
-    const OnTriangle other = detail::on_edge(x, v, edge);
-    if (other.squared_distance < best.squared_distance) best = other;
-  }
-  // The weights of a nearly flat triangle are mostly rounding, so its edges count too.
-  if (!(w[0] > 0 && w[1] > 0 && w[2] > 0)) return best;
+  if (!(w[0] > 0 && w[1] > 0 && w[2] > 0)) return detail::on_edges(x, v);
   const double scale = 1 / (w[0] + w[1] + w[2]);
   for (double& weight : w) weight *= scale;
   const OnTriangle inside = detail::at_weights(x, v, w);
-  return inside.squared_distance < best.squared_distance ? inside : best;
+  const double square = dot(ab, ab) + dot(ac, ac);
+  if (dot(n, n) > flat * square * square) return inside;
+  // The weights of a nearly flat triangle are mostly rounding.
+  const OnTriangle edge = detail::on_edges(x, v);
+  return inside.squared_distance < edge.squared_distance ? inside : edge;
 }
 
 }  // namespace taut

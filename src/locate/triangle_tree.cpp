@@ -43,7 +43,7 @@ struct TriangleTree::Centre {
 };
 
 TriangleTree::TriangleTree(std::span<const Vec3> points, std::span<const std::array<Index, 3>> triangles)
-    : depth_(depth_for(triangles.size())) {
+    : count_(triangles.size()), depth_(depth_for(count_)) {
   assert(!triangles.empty());
   std::vector<Centre> centres(triangles.size());
   for_each_index(centres.size(), [&](std::size_t t) {
@@ -57,8 +57,7 @@ TriangleTree::TriangleTree(std::span<const Vec3> points, std::span<const std::ar
 
 // Halves differ by at most one leaf.
 TriangleTree::Range TriangleTree::range_of(std::size_t level, std::size_t place) const {
-  const std::size_t count = leaf_of_.size();
-  return {(count * place) >> level, (count * (place + 1)) >> level};
+  return {(count_ * place) >> level, (count_ * (place + 1)) >> level};
 }
 
 // Sorts the centres into the order of the leaves: level by level, each node is halved across the longest side of the
@@ -82,9 +81,9 @@ void TriangleTree::split(std::vector<Centre>& centres) const {
 
 void TriangleTree::set_leaves(std::span<const Vec3> points, std::span<const std::array<Index, 3>> triangles,
                               const std::vector<Centre>& centres) {
-  leaves_.resize(centres.size());
-  leaf_of_.resize(centres.size());
-  for_each_index(centres.size(), [&](std::size_t leaf) {
+  leaves_.resize(count_);
+  leaf_of_.resize(count_);
+  for_each_index(count_, [&](std::size_t leaf) {
     const Index triangle = centres[leaf].triangle;
     const auto& [a, b, c] = triangles[triangle];
     leaves_[leaf] = {{points[a], points[b], points[c]}, triangle};

@@ -51,10 +51,10 @@ private:
   void set_boxes();
   void try_leaf(const Vec3& x, std::size_t leaf, Nearest& best) const;
 
-  std::size_t depth_ = 0;          ///< of the lowest nodes
-  std::vector<Box> boxes_;         ///< node 1 is the root, 2 k and 2 k + 1 are below node k
-  std::vector<Leaf> leaves_;       ///< in the order of the lowest nodes
-  std::vector<Index> leaf_of_;     ///< of each triangle
+  std::size_t count_, depth_;   ///< number of triangles, level of the lowest nodes
+  std::vector<Box> boxes_;      ///< node 1 is the root, 2 k and 2 k + 1 are below node k
+  std::vector<Leaf> leaves_;    ///< in the order of the lowest nodes
+  std::vector<Index> leaf_of_;  ///< of each triangle
 };
 
 }  // namespace taut
