@@ -50,8 +50,8 @@ AdaptResult adapt_files(const AdaptJob& job, const Interrupt& interrupt) {
     line.show_expected(tetrahedra);
     return !interrupt.requested();
   };
-  AdaptResult result =
-      with_files(job.input, job.size ? "--size" : job.metric, [&] { return adapt(mesh, metric, options); });
+  AdaptResult result = with_files(job.input, {{"metric: ", job.size ? "--size" : job.metric}},
+                                  [&] { return adapt(mesh, metric, options); });
   result.report.seconds.emplace(result.report.seconds.begin(), "read", seconds);
   return result;
 }

@@ -15,5 +15,6 @@ void add_adapt(CLI::App& app, Job& job);
 void add_levelset(CLI::App& app, Job& job);
 void add_metric(CLI::App& app, Job& job);
 void add_quality(CLI::App& app, Job& job);
+void add_transfer(CLI::App& app, Job& job);
 
 }  // namespace taut::program

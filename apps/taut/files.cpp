@@ -50,9 +50,9 @@ void write_text(const std::string& file, std::string_view text) {
   throw Failure(fmt::format("{}: cannot be written", file));
 }
 
-std::string with_file(std::string_view message, std::string_view mesh, std::string_view values) {
-  for (const std::string_view about_values : {"metric: ", "field: "})
-    if (message.starts_with(about_values)) return fmt::format("{}: {}", values, message.substr(about_values.size()));
+std::string with_file(std::string_view message, std::string_view mesh, std::span<const Source> others) {
+  for (const auto& [prefix, file] : others)
+    if (message.starts_with(prefix)) return fmt::format("{}: {}", file, message.substr(prefix.size()));
   return fmt::format("{}: {}", mesh, message);
 }
 

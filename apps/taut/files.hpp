@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,18 +22,29 @@ void require_output(const std::string& file, std::span<const std::string_view> e
 /// Writes a temporary file beside `file`, then renames it. Throws Failure.
 void write_text(const std::string& file, std::string_view text);
 
-/// The library's message about a mesh from file `mesh` and a metric or field from file `values`, prefixed with the name
-/// of the file that it is about.
-[[nodiscard]] std::string with_file(std::string_view message, std::string_view mesh, std::string_view values);
+/// A file that the library's messages may be about. They then begin with `prefix`, because the library does not know
+/// where its arrays come from.
+struct Source {
+  std::string_view prefix, file;
+};
 
-/// Calls work() and adds the names of the files to its errors: the library does not know where its arrays come from.
+/// The library's message with the prefix replaced by the name of the file; about `mesh` if it has none of the prefixes.
+[[nodiscard]] std::string with_file(std::string_view message, std::string_view mesh, std::span<const Source> others);
+
+/// Calls work() and adds the names of the files to its errors.
 template <class Work>
-auto with_files(std::string_view mesh, std::string_view values, Work work) {
+auto with_files(std::string_view mesh, std::initializer_list<Source> others, Work work) {
   try {
     return work();
   } catch (const InputError& error) {
-    throw InputError(with_file(error.what(), mesh, values));
+    throw InputError(with_file(error.what(), mesh, {others.begin(), others.size()}));
   }
+}
+
+/// The same for one file of values at the vertices.
+template <class Work>
+auto with_files(std::string_view mesh, std::string_view values, Work work) {
+  return with_files(mesh, {{"metric: ", values}, {"field: ", values}}, std::move(work));
 }
 
 }  // namespace taut::program

@@ -31,6 +31,12 @@ Json json_of(const PassReport& pass) {
       {"refused", refused}, {"put_off", pass.put_off}, {"seconds", pass.seconds}, {"busy_seconds", pass.busy_seconds}};
 }
 
+Json json_of(const ComponentReport& component) {
+  return {{"mass_before", component.mass_before},         {"mass_after", component.mass_after},
+          {"least_before", component.least_before},       {"least_after", component.least_after},
+          {"greatest_before", component.greatest_before}, {"greatest_after", component.greatest_after}};
+}
+
 void add_lengths(Json& json, const Quality& q) {
   json.update({{"complexity", q.complexity}, {"tau", q.tau}, {"unit_edges", q.unit_edges}});
   json["length_histogram"] = histogram(Quality::length_bounds, q.length_histogram);
@@ -92,6 +98,23 @@ Json json_of(const AdaptJob& job) {
             {"rounds", o.max_rounds},
             {"threads", job.threads},
             {"block_size", o.block_size}}}};
+}
+
+Json json_of(const TransferReport& report) {
+  Json fields = Json::array(), seconds = Json::object();
+  for (const auto& components : report.fields) {
+    Json& field = fields.emplace_back(Json::array());
+    for (const ComponentReport& component : components) field.push_back(json_of(component));
+  }
+  for (const auto& [phase, time] : report.seconds) seconds[phase] = time;
+  return {{"outside", report.outside},
+          {"distance_max", report.distance_max},
+          {"volume_before", report.volume_before},
+          {"volume_after", report.volume_after},
+          {"covered_volume", null_if_none(report.covered_volume)},
+          {"overlaps", report.overlaps},
+          {"fields", fields},
+          {"seconds", seconds}};
 }
 
 std::string text_of(const Json& json) {

@@ -7,6 +7,7 @@
 #include "adapt_job.hpp"
 #include "taut/adapt.hpp"
 #include "taut/quality.hpp"
+#include "taut/transfer.hpp"
 
 namespace taut::program {
 
@@ -17,6 +18,7 @@ using Json = nlohmann::ordered_json;
 
 [[nodiscard]] Json json_of(const Report& report);
 [[nodiscard]] Json json_of(const AdaptJob& job);
+[[nodiscard]] Json json_of(const TransferReport& report);
 
 /// Indented; bytes of file names that are not UTF-8 are replaced.
 [[nodiscard]] std::string text_of(const Json& json);

@@ -41,7 +41,9 @@ Metric metric_of(const QualityJob& job) {
 Findings examine(const QualityJob& job) {
   const Mesh mesh = read_mesh(job.input);
   const Metric metric = metric_of(job);
-  return with_files(job.input, job.metric, [&] { return Findings{measure(mesh, metric), defects(mesh)}; });
+  return with_files(job.input, {{"metric: ", job.metric}}, [&] {
+    return Findings{measure(mesh, metric), defects(mesh)};
+  });
 }
 
 std::string json_text(const QualityJob& job, const Findings& findings) {

@@ -5,6 +5,7 @@
 
 #include "taut/adapt.hpp"
 #include "taut/quality.hpp"
+#include "taut/transfer.hpp"
 
 namespace taut::program {
 
@@ -13,5 +14,8 @@ namespace taut::program {
 
 /// Operations and seconds of each pass, then the seconds of the phases outside the passes.
 [[nodiscard]] std::string work_table(const Report& report);
+
+/// Mass and range of each component before and after, the volumes, and the points outside.
+[[nodiscard]] std::string transfer_table(const TransferReport& report);
 
 }  // namespace taut::program

@@ -1,7 +1,6 @@
 // The adaptation: takes a mesh and a metric, returns a mesh whose edges have about unit length in the metric.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -11,6 +10,7 @@
 
 #include "taut/error.hpp"
 #include "taut/export.hpp"
+#include "taut/host.hpp"
 #include "taut/limits.hpp"
 #include "taut/mesh.hpp"
 #include "taut/metric.hpp"
@@ -82,18 +82,12 @@ struct Report {
   Quality quality;                   ///< of the result in `AdaptResult::metric`
 };
 
-/// Where a point of the result lies in the input.
-struct Host {
-  Index tetrahedron = 0;            ///< of the input
-  std::array<double, 4> weights{};  ///< of its four points in their order: none negative, of sum 1
-};
-
 /// The adapted mesh, and how it relates to the input.
 struct AdaptResult {
   static constexpr Index gone = std::numeric_limits<Index>::max();  ///< the index of a point that was removed
   Mesh mesh;                                                        ///< the adapted mesh
   Tensors metric;                                                   ///< at the points of `mesh`
-  std::vector<Host> hosts;        ///< of the points of `mesh`: what interpolates any field on the input
+  std::vector<Host> hosts;        ///< of the points of `mesh` in the input: what interpolates any field on it
   std::vector<Index> new_of_old;  ///< for each point of the input its index in `mesh`, or `gone`
   Report report;                  ///< what the adaptation did
 };

@@ -5,6 +5,7 @@
 #include "taut/error.hpp"
 #include "taut/field.hpp"
 #include "taut/gradation.hpp"
+#include "taut/host.hpp"
 #include "taut/io.hpp"
 #include "taut/levelset.hpp"
 #include "taut/limits.hpp"
@@ -17,6 +18,7 @@
 #include "taut/surface_distance.hpp"
 #include "taut/surface_mesh.hpp"
 #include "taut/threads.hpp"
+#include "taut/transfer.hpp"
 #include "taut/version.hpp"
 
 /// Anisotropic tetrahedral mesh adaptation: adapt() is where to begin.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int most_steps = 4000;         // of a walk: a mesh of a million tetrahedra is about 200 tetrahedra across
 constexpr std::size_t most_cells = 400;  // searched around the place where a walk met the boundary
-constexpr double inside = -1e-9;         // barycentric coordinates above it count as not negative
+constexpr double least_inside = -1e-9;   // barycentric coordinates above it count as not negative
 constexpr double on_boundary = -1e-6;    // rounding of a point on an oblique face
 
 }  // namespace
@@ -44,13 +44,13 @@ Weights Background::barycentric(CellId cell, const Vec3& x) const {
   return {w[0] * scale, w[1] * scale, w[2] * scale, w[3] * scale};
 }
 
-// Walks from cell to cell, across the face that the point is farthest behind. False if the boundary was in the way.
+// From cell to cell, across the face that the point is farthest behind.
 bool Background::walk(const Vec3& x, CellId& host, Weights& weights) const {
   CellId from = none;
   for (int step = 0; step < most_steps; ++step) {
     weights = barycentric(host, x);
     int worst = -1;
-    double least = inside;
+    double least = least_inside;
     bool blocked = false;
     for (int f = 0; f < 4; ++f) {
       if (weights[f] >= least) continue;
@@ -74,7 +74,7 @@ void Background::search_around(const Vec3& x, CellId& host, Weights& weights) co
   double best = lowest(weights);
   if (best > on_boundary) return;
   std::vector<CellId> queue{host};
-  for (std::size_t i = 0; i < queue.size() && queue.size() < most_cells && best < inside; ++i) {
+  for (std::size_t i = 0; i < queue.size() && queue.size() < most_cells && best < least_inside; ++i) {
     for (const CellId next : cells_[queue[i]].beyond) {
       if (next == none || std::ranges::find(queue, next) != queue.end()) continue;
       queue.push_back(next);
