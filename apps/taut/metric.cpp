@@ -102,6 +102,10 @@ void add_level_set(CLI::App& metric, Job& job) {
   command->add_option("--level", asked->level, "value of the solution on the surface")
       ->type_name("V")
       ->capture_default_str();
+  command->add_option("--across", options.across, "smallest size across the surface, as a share of that along it")
+      ->type_name("S")
+      ->capture_default_str()
+      ->check(number([](double x) { return x >= 0; }, "a number, 0 or more"));
   command->add_option("--growth", options.growth, "growth of the sizes per distance from the surface")
       ->type_name("C")
       ->capture_default_str()

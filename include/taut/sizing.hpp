@@ -65,6 +65,7 @@ struct ScaledMetric {
 struct LevelSetOptions {
   /// Size across the surface, above 0. The piecewise linear surface is then within about 0.3 times it (measured).
   double error = 0;
+  double across = 0;  ///< as a share of the smaller size along the surface, that across it is at least this, 0 or more
   double growth = 0.6;    ///< by which sizes grow per distance from the surface, 0 or more
   double refinement = 2;  ///< above 1: sizes shrink at most by this factor from those of the mesh
   Limits limits{};        ///< hmax is the size far from the surface

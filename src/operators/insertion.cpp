@@ -27,7 +27,8 @@ bool locate(const Kernel& k, Tag& tag) {
 
 class Insertion {
 public:
-  Insertion(Kernel& kernel, const InsertionRules& rules) : k_(kernel), mesh_(kernel.mesh), rules_(rules) {}
+  Insertion(Kernel& kernel, const Vec3& x, const InsertionRules& rules)
+      : k_(kernel), mesh_(kernel.mesh), x_(x), rules_(rules) {}
 
   Outcome run() {
     if (k_.any_frozen(k_.shell_tets()) || !locate(k_, apex_.tag)) return Outcome::frozen;
@@ -46,10 +47,9 @@ public:
 
 private:
   void place() {
-    const VertexId a = k_.shell.a, b = k_.shell.b;
     apex_.id = k_.block->vertices.next();
-    apex_.vertex.x = k_.model.project(apex_.tag, 0.5 * (mesh_.x(a) + mesh_.x(b)));
-    apex_.host = mesh_.host_of_vertex[a];
+    apex_.vertex.x = k_.model.project(apex_.tag, x_);
+    apex_.host = mesh_.host_of_vertex[k_.shell.a];
     apex_.vertex.m = k_.target.at(apex_.vertex.x, apex_.host);
   }
 
@@ -124,6 +124,7 @@ private:
 
   Kernel& k_;
   TetMesh& mesh_;
+  const Vec3 x_;
   const InsertionRules& rules_;
   Apex apex_;
   int core_ = 0;
@@ -131,10 +132,16 @@ private:
 
 }  // namespace
 
-Outcome insert_on_edge(Kernel& kernel, TetId t, int edge, const InsertionRules& rules) {
+Outcome insert_on_edge(Kernel& kernel, TetId t, int edge, const Vec3& x, const InsertionRules& rules) {
   const Outcome collected = collect_shell(kernel.mesh, *kernel.block, t, edge, kernel.shell);
   if (collected != Outcome::accepted) return collected;
-  return kernel.mark_shell(Trial::insertion, Insertion(kernel, rules).run());
+  return kernel.mark_shell(Trial::insertion, Insertion(kernel, x, rules).run());
+}
+
+Outcome insert_on_edge(Kernel& kernel, TetId t, int edge, const InsertionRules& rules) {
+  const auto& v = kernel.mesh.tets[t].v;
+  const auto& [i, j] = edge_vertices[edge];
+  return insert_on_edge(kernel, t, edge, 0.5 * (kernel.mesh.x(v[i]) + kernel.mesh.x(v[j])), rules);
 }
 
 }  // namespace taut

@@ -17,4 +17,7 @@ struct InsertionRules {
 /// and is reduced to the shell if it is refused. Marks the shell as tried.
 Outcome insert_on_edge(Kernel& kernel, TetId t, int edge, const InsertionRules& rules);
 
+/// The same with the new vertex at x, near the edge, or at the nearest place on its patch or line.
+Outcome insert_on_edge(Kernel& kernel, TetId t, int edge, const Vec3& x, const InsertionRules& rules);
+
 }  // namespace taut

@@ -21,6 +21,7 @@ void require(const LevelSetOptions& o) {
   if (!(o.error > 0 && std::isfinite(o.error)))
     throw InputError(fmt::format("error {} found, expected a number above 0", o.error));
   if (!(o.growth >= 0)) throw InputError(fmt::format("growth {} found, expected 0 or more", o.growth));
+  if (!(o.across >= 0)) throw InputError(fmt::format("across {} found, expected 0 or more", o.across));
   if (!(o.refinement > 1))
     throw InputError(fmt::format("refinement {} found, expected a number above 1", o.refinement));
 }
@@ -51,12 +52,13 @@ Spectrum curvatures(const Derivatives& d, const Vec3& normal, double slope) {
 Sym3 metric_near(const Derivatives& d, double distance, const LevelSetOptions& o) {
   const double slope = norm(d.gradient), grown = o.growth * distance;
   const Spectrum s = curvatures(d, 1 / slope * d.gradient, slope);
-  const auto eigenvalue = [&](double size) {
-    return 1 / (std::min(size, o.limits.hmax) * std::min(size, o.limits.hmax));
+  const auto along = [&](double curvature) {
+    return std::min(std::sqrt(o.error / std::abs(curvature)), o.limits.hmax);
   };
-  const auto along = [&](double curvature) { return eigenvalue(std::sqrt(o.error / std::abs(curvature)) + grown); };
-  const Vec3 values = {along(s.values[0]), along(s.values[1]), eigenvalue(o.error + grown)};
-  return assemble({values, s.vectors});
+  const double first = along(s.values[0]), second = along(s.values[1]);
+  const double across = std::max(o.error, o.across * std::min(first, second));
+  const auto eigenvalue = [&](double size) { return std::pow(std::min(size + grown, o.limits.hmax), -2); };
+  return assemble({{eigenvalue(first), eigenvalue(second), eigenvalue(across)}, s.vectors});
 }
 
 Sym3 metric_at(const Derivatives& d, double value, bool is_crossed, const LevelSetOptions& o) {
