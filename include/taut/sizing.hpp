@@ -51,8 +51,9 @@ struct ScaledMetric {
 /// The metric that minimises the L^p norm of the interpolation error for a given complexity,
 /// det|H|^(-1/(2p+3)) |H| times a constant (Alauzet and Loseille 2010); the constant is such that the complexity is
 /// within 0.2 % of the one that was asked for after all limits are applied. The metrics of several fields, one array of
-/// Hessians each, are scaled to the same complexity, then intersected. Throws InputError for arrays of wrong length, a
-/// tensor that is not finite (naming its index), and options that make no sense.
+/// Hessians each, are scaled to the same complexity, then intersected; those whose Hessian is zero everywhere are left
+/// out. Throws InputError for arrays of wrong length, a tensor that is not finite (naming its index), and options that
+/// make no sense.
 [[nodiscard]] TAUT_EXPORT ScaledMetric lp_metric(const Mesh& mesh, std::span<const Tensors> hessians,
                                                  const LpOptions& options);
 

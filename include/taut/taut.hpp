@@ -13,12 +13,14 @@
 #include "taut/metric.hpp"
 #include "taut/quality.hpp"
 #include "taut/sizing.hpp"
+#include "taut/solution.hpp"
 #include "taut/space_time.hpp"
 #include "taut/surface.hpp"
 #include "taut/surface_distance.hpp"
 #include "taut/surface_mesh.hpp"
 #include "taut/threads.hpp"
 #include "taut/transfer.hpp"
+#include "taut/unsteady.hpp"
 #include "taut/version.hpp"
 
 /// Anisotropic tetrahedral mesh adaptation: adapt() is where to begin.
