@@ -33,15 +33,16 @@ inline constexpr double tetrahedra_per_complexity = 10.5;  ///< of a unit mesh (
 
 /// What lp_metric() aims at.
 struct LpOptions {
-  double complexity =
-      0;  ///< above 0; in multiples of it a unit mesh has `vertices_per_complexity`, `tetrahedra_per_complexity`
+  /// Above 0. A unit mesh has `vertices_per_complexity` times as many vertices and `tetrahedra_per_complexity` times as
+  /// many tetrahedra.
+  double complexity = 0;
   double norm = 2;  ///< p of the L^p norm of the interpolation error, in [1, infinity]
-  Limits limits{};
+  Limits limits{};  ///< on the metric, which has the complexity all the same
 };
 
 /// A metric that was scaled to a complexity.
 struct ScaledMetric {
-  Tensors metric;
+  Tensors metric;         ///< at the points of the mesh
   double complexity = 0;  ///< of the metric, with all limits applied
   int evaluations = 0;    ///< how often limits were applied and the complexity computed
   /// What keeps the complexity from the one that was asked for: "hmin", "hmax", or empty if nothing does.
