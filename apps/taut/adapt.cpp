@@ -1,7 +1,10 @@
-// taut adapt: reads a mesh and a metric, writes a mesh whose edges have about unit length in the metric.
+// taut adapt: reads a mesh and a metric or a solution, writes a mesh whose edges have about unit length in the metric.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "adapt_job.hpp"
 #include "commands.hpp"
@@ -17,31 +20,47 @@
 namespace taut::program {
 namespace {
 
-void require_outputs(const AdaptJob& job) {
-  require_output(job.output, mesh_files);
-  require_output(job.metric_out, solution_files);
-  require_output(job.report, report_files);
-}
+struct AdaptInput {
+  Mesh mesh;
+  Metric metric;              ///< without fields
+  std::vector<Field> fields;  ///< empty: the metric counts
+};
 
 Metric uniform(double size) {
   const double m = 1 / (size * size);
   return [m](const Point&) { return Tensor{m, 0, 0, m, 0, m}; };
 }
 
-Metric target_of(const AdaptJob& job) {
-  return job.size ? uniform(*job.size) : read_metric(job.metric);
+AdaptInput read_input(const AdaptJob& job) {
+  AdaptInput input{.mesh = read_mesh(job.input), .metric = {}, .fields = {}};
+  if (adapts_to_fields(job)) {
+    input.fields = read_fields(job.field.files, input.mesh.points.size());
+  } else {
+    input.metric = job.size ? uniform(*job.size) : read_metric(job.metric);
+  }
+  return input;
 }
 
-AdaptResult adapt_files(const AdaptJob& job, const Interrupt& interrupt) {
+SolutionResult work_on(const AdaptJob& job, const AdaptInput& input, AdaptOptions options) {
+  if (adapts_to_fields(job))
+    return with_files(
+        job.input, {{"fields: ", fmt::format("{}", fmt::join(job.field.files, ", "))}, {"metric: ", "--complexity"}},
+        [&] { return adapt_to_solution(input.mesh, input.fields, solution_options(job.field, job.limits, options)); });
+  options.limits = limits_of(job.limits);
+  SolutionResult result;
+  result.adapted = with_files(job.input, {{"metric: ", job.size ? "--size" : job.metric}},
+                              [&] { return adapt(input.mesh, input.metric, options); });
+  return result;
+}
+
+SolutionResult adapt_files(const AdaptJob& job, const Interrupt& interrupt) {
   const Stopwatch watch;
-  const Mesh mesh = read_mesh(job.input);
-  const Metric metric = target_of(job);
+  const AdaptInput input = read_input(job);
   const double seconds = watch.seconds();
   if (interrupt.requested()) throw Failure("interrupted while reading: nothing was written");
 
   ProgressLine line(job.quiet);
   AdaptOptions options = job.options;
-  options.limits = limits_of(job.limits);
   options.progress = [&](const Progress& progress) {
     line.show(progress);
     return !interrupt.requested();
@@ -50,23 +69,28 @@ AdaptResult adapt_files(const AdaptJob& job, const Interrupt& interrupt) {
     line.show_expected(tetrahedra);
     return !interrupt.requested();
   };
-  AdaptResult result = with_files(job.input, {{"metric: ", job.size ? "--size" : job.metric}},
-                                  [&] { return adapt(mesh, metric, options); });
-  result.report.seconds.emplace(result.report.seconds.begin(), "read", seconds);
+  SolutionResult result = work_on(job, input, std::move(options));
+  auto& phases = result.adapted.report.seconds;
+  phases.emplace(phases.begin(), "read", seconds);
+  for (const auto& [step, time] : result.seconds)
+    if (step != "adapt") phases.emplace_back(step, time);  // its phases are there already
   return result;
 }
 
 // The report is written last, because it holds the seconds that writing took.
-void write_outputs(const AdaptJob& job, AdaptResult& result) {
+void write_outputs(const AdaptJob& job, SolutionResult& result) {
   const Stopwatch watch;
-  if (!job.metric_out.empty()) write_solution(job.metric_out, {field_of(result.metric)});
-  write_mesh(job.output, result.mesh);
-  result.report.seconds.emplace_back("write", watch.seconds());
+  AdaptResult& adapted = result.adapted;
+  if (!job.field.output.empty()) write_solution(job.field.output, result.fields);
+  if (!job.metric_out.empty()) write_solution(job.metric_out, {field_of(adapted.metric)});
+  write_mesh(job.output, adapted.mesh);
+  adapted.report.seconds.emplace_back("write", watch.seconds());
   if (job.report.empty()) return;
   Json json = {{"taut", TAUT_VERSION}};
   json.update(json_of(job));
-  json.update(json_of(result.report));
-  json["quality"] = json_of(result.report.quality, true);
+  if (adapts_to_fields(job)) json.update(json_of(job.field, result));
+  json.update(json_of(adapted.report));
+  json["quality"] = json_of(adapted.report.quality, true);
   write_text(job.report, text_of(json));
 }
 
@@ -82,29 +106,33 @@ void print_notes(const AdaptJob& job, const Report& report) {
                "triangles were kept as they are, because their patch is not planar or they are required");
 }
 
-void print_summary(const AdaptJob& job, const Report& report, double seconds) {
+void print_summary(const AdaptJob& job, const SolutionResult& result, double seconds) {
+  const Report& report = result.adapted.report;
   print_notes(job, report);
-  fmt::print("{} -> {}: {} rounds, {} threads, {} blocks, {:.2f} s\n\n{}\n{}", job.input, job.output, report.rounds,
-             report.threads, report.blocks, seconds, quality_table(report.quality, true), work_table(report));
+  if (adapts_to_fields(job)) fmt::print(stderr, "{}", complexity_notes(job.field, job.output, result));
+  fmt::print("{} -> {}: {} rounds, {} threads, {} blocks, {:.2f} s\n\n", job.input, job.output, report.rounds,
+             report.threads, report.blocks, seconds);
+  if (adapts_to_fields(job)) fmt::print("{}\n", solution_table(result));
+  fmt::print("{}\n{}", quality_table(report.quality, true), work_table(report));
 }
 
-void run_adapt(const AdaptJob& job) {
+void run_adapt(const AdaptJob& asked) {
   const Stopwatch watch;
-  require_sound(job);
-  require_outputs(job);
+  require_sound(asked);
+  const AdaptJob job = with_outputs(asked);
   const Interrupt interrupt;
-  AdaptResult result = adapt_files(job, interrupt);
+  SolutionResult result = adapt_files(job, interrupt);
   write_outputs(job, result);
-  if (!job.quiet) print_summary(job, result.report, watch.seconds());
-  if (result.report.cancelled)
+  if (!job.quiet) print_summary(job, result, watch.seconds());
+  if (const Report& report = result.adapted.report; report.cancelled)
     throw Failure(fmt::format("interrupted in round {}: {} holds the mesh as it was then, which is valid",
-                              result.report.rounds, job.output));
+                              report.rounds, job.output));
 }
 
 }  // namespace
 
 void add_adapt(CLI::App& app, Job& job) {
-  CLI::App* command = app.add_subcommand("adapt", "adapt a mesh to a metric or to one size");
+  CLI::App* command = app.add_subcommand("adapt", "adapt a mesh to a metric, to one size or to a solution");
   const auto asked = std::make_shared<AdaptJob>();
   add_options(*command, *asked);
   command->callback([asked, &job] { job = [asked] { on_threads(asked->threads, [&] { run_adapt(*asked); }); }; });

@@ -1,8 +1,14 @@
 #include "adapt_job.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "check.hpp"
+#include "files.hpp"
 
 namespace taut::program {
 namespace {
@@ -11,6 +17,7 @@ constexpr const char* examples =
     "Examples:\n"
     "  taut adapt wing.meshb --metric wing-met.solb -o adapted.meshb\n"
     "  taut adapt part.mesh --size 0.05 --surface fixed -o fine.mesh\n"
+    "  taut adapt wing.meshb --field mach.solb --complexity 50000 -o next.meshb\n"
     "  taut adapt box.meshb --metric m.solb --gradation 1.3 --hmin 1e-4 -o out.meshb --report out.json";
 
 void add_files(CLI::App& command, AdaptJob& job) {
@@ -19,7 +26,11 @@ void add_files(CLI::App& command, AdaptJob& job) {
       ->required()
       ->type_name("OUT");
   command.add_option("--metric", job.metric, "sizes or tensors at the vertices of IN, .sol or .solb")->type_name("SOL");
-  command.add_option("--metric-out", job.metric_out, "file for the metric at the vertices of OUT, .sol or .solb")
+  command
+      .add_option("--metric-out", job.metric_out,
+                  "file for the metric at the vertices of OUT, .sol or .solb; by default none, and with --field OUT "
+                  "with .metric "
+                  "before that extension")
       ->type_name("SOL");
   command.add_option("--report", job.report, "file for a report, .json")->type_name("FILE");
   command.add_flag("--quiet", job.quiet, "print only errors");
@@ -50,10 +61,15 @@ void add_surface(CLI::App& command, AdaptOptions& options) {
 }
 
 void require_one_target(const AdaptJob& job) {
-  if (job.metric.empty() && !job.size)
-    throw InputError("neither --metric nor --size found, expected one of them; see 'taut adapt --help'");
-  if (!job.metric.empty() && job.size)
-    throw InputError("both --metric and --size found, expected only one of them; see 'taut adapt --help'");
+  std::vector<std::string_view> found;
+  if (!job.metric.empty()) found.push_back("--metric");
+  if (job.size) found.push_back("--size");
+  if (adapts_to_fields(job)) found.push_back("--field");
+  if (found.empty())
+    throw InputError("none of --metric, --size and --field found, expected one; see 'taut adapt --help'");
+  if (found.size() > 1)
+    throw InputError(
+        fmt::format("{} found, expected only one of them; see 'taut adapt --help'", fmt::join(found, " and ")));
 }
 
 }  // namespace
@@ -61,6 +77,7 @@ void require_one_target(const AdaptJob& job) {
 void add_options(CLI::App& command, AdaptJob& job) {
   add_files(command, job);
   add_size(command, job);
+  add_fields(command, job.field);
   add_limits(command, job.limits);
   add_surface(command, job.options);
   command
@@ -82,6 +99,19 @@ void add_options(CLI::App& command, AdaptJob& job) {
 void require_sound(const AdaptJob& job) {
   require_one_target(job);
   require_sound(job.limits, "adapt");
+}
+
+AdaptJob with_outputs(AdaptJob job) {
+  if (adapts_to_fields(job)) {
+    if (job.field.output.empty()) job.field.output = beside(job.output, "");
+    if (job.metric_out.empty()) job.metric_out = beside(job.output, ".metric");
+  }
+  require_output(job.output, mesh_files);
+  require_output(job.field.output, solution_files);
+  require_output(job.metric_out, solution_files);
+  require_output(job.report, report_files);
+  require_different("fields", job.field.output, "metric", job.metric_out);
+  return job;
 }
 
 }  // namespace taut::program

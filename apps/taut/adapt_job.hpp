@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "field_job.hpp"
 #include "limits.hpp"
 #include "taut/adapt.hpp"
 
@@ -13,7 +14,8 @@ namespace taut::program {
 struct AdaptJob {
   std::string input, metric, output;
   std::string report, metric_out;  ///< empty: not written
-  std::optional<double> size;      ///< wanted everywhere, instead of a metric
+  std::optional<double> size;      ///< wanted everywhere, instead of a metric or of fields
+  FieldJob field;
   AskedLimits limits;
   bool quiet = false;
   int threads = 0;
@@ -23,7 +25,16 @@ struct AdaptJob {
 /// Adds the options to `command`; they fill `job`, which must outlive it.
 void add_options(CLI::App& command, AdaptJob& job);
 
+/// Whether the mesh is adapted to fields, which are then transferred.
+[[nodiscard]] inline bool adapts_to_fields(const AdaptJob& job) {
+  return !job.field.files.empty();
+}
+
 /// Throws InputError for options that are each valid but contradict each other.
 void require_sound(const AdaptJob& job);
+
+/// Names the outputs that are written by default. Throws InputError unless all can be written, each to a file of its
+/// own.
+[[nodiscard]] AdaptJob with_outputs(AdaptJob job);
 
 }  // namespace taut::program

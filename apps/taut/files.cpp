@@ -38,6 +38,17 @@ void require_output(const std::string& file, std::span<const std::string_view> e
   require_place(file);
 }
 
+void require_different(std::string_view what, const std::string& file, std::string_view other_what,
+                       const std::string& other) {
+  if (file.empty() || other.empty()) return;
+  const auto place = [](const std::string& name) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(name));
+  };
+  if (place(file) == place(other))
+    throw InputError(
+        fmt::format("{}: found as the file for the {} and for the {}, expected two files", other, what, other_what));
+}
+
 void write_text(const std::string& file, std::string_view text) {
   const std::string temporary = fmt::format("{}.{:08x}.tmp", file, std::random_device{}());
   std::ofstream out(temporary, std::ios::binary);

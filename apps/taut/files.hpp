@@ -16,8 +16,12 @@ inline constexpr std::array<std::string_view, 2> solution_files = {".sol", ".sol
 inline constexpr std::array<std::string_view, 1> report_files = {".json"};
 
 /// Throws InputError unless `file` has one of the extensions and can be written. Each kind of output has its own
-/// extensions, so no two outputs can be the same file. An empty name means no output.
+/// extensions, so only two outputs of one kind can be the same file. An empty name means no output.
 void require_output(const std::string& file, std::span<const std::string_view> extensions);
+
+/// Throws InputError if both names lead to the same file, unless one is empty. The message says what each is for.
+void require_different(std::string_view what, const std::string& file, std::string_view other_what,
+                       const std::string& other);
 
 /// Writes a temporary file beside `file`, then renames it. Throws Failure.
 void write_text(const std::string& file, std::string_view text);

@@ -4,6 +4,8 @@
 
 #include <span>
 
+#include "options.hpp"
+
 namespace taut::program {
 namespace {
 
@@ -84,8 +86,10 @@ Json json_of(const AdaptJob& job) {
   const AdaptOptions& o = job.options;
   return {{"input", job.input},
           {"metric", null_if_empty(job.metric)},
+          {"fields", job.field.files},
           {"output", job.output},
           {"metric_out", null_if_empty(job.metric_out)},
+          {"field_out", null_if_empty(job.field.output)},
           {"options",
            {{"size", null_if_none(job.size)},
             {"surface", o.surface == Surface::fixed ? "fixed" : "adapt"},
@@ -115,6 +119,18 @@ Json json_of(const TransferReport& report) {
           {"overlaps", report.overlaps},
           {"fields", fields},
           {"seconds", seconds}};
+}
+
+Json json_of(const FieldJob& job, const SolutionResult& result) {
+  Json transfer = {{"method", word_of(job.transfer)}};
+  if (job.transfer == Transfer::conservative) transfer.update(json_of(result.transferred));
+  return {{"sizing",
+           {{"asked_complexity", job.complexity},
+            {"complexity", result.complexity},
+            {"stopped_by", null_if_empty(result.stopped_by)},
+            {"norm", job.norm},
+            {"recovery", word_of(job.recovery)}}},
+          {"transfer", transfer}};
 }
 
 std::string text_of(const Json& json) {

@@ -20,6 +20,9 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json json_of(const AdaptJob& job);
 [[nodiscard]] Json json_of(const TransferReport& report);
 
+/// The parts "sizing" and "transfer" of an adaptation to fields.
+[[nodiscard]] Json json_of(const FieldJob& job, const SolutionResult& result);
+
 /// Indented; bytes of file names that are not UTF-8 are replaced.
 [[nodiscard]] std::string text_of(const Json& json);
 

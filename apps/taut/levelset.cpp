@@ -12,6 +12,7 @@
 #include "files.hpp"
 #include "json.hpp"
 #include "levelset_job.hpp"
+#include "solution.hpp"
 #include "stopwatch.hpp"
 #include "taut/taut.hpp"
 
@@ -24,14 +25,6 @@ struct Extracted {
   std::optional<SurfaceDistance> distance;
 };
 
-std::vector<double> scalars_in(const std::string& file) {
-  std::vector<Field> fields = read_solution(file);
-  if (fields.size() != 1) throw InputError(fmt::format("{}: {} fields found, expected one", file, fields.size()));
-  if (fields[0].kind != Field::Kind::scalar)
-    throw InputError(fmt::format("{}: {} numbers per vertex found, expected one", file, fields[0].size()));
-  return std::move(fields[0].values);
-}
-
 void require_surface(const ExtractJob& job, const SurfaceMesh& surface, const std::vector<double>& values) {
   if (!surface.triangles.empty()) return;
   const auto [least, greatest] = std::ranges::minmax(values);
@@ -41,7 +34,7 @@ void require_surface(const ExtractJob& job, const SurfaceMesh& surface, const st
 
 Extracted extract(const ExtractJob& job) {
   const Mesh mesh = read_mesh(job.input);
-  const std::vector<double> values = scalars_in(job.field);
+  const std::vector<double> values = read_scalar(job.field, mesh.points.size());
   std::optional<SurfaceMesh> other;
   if (!job.compare.empty()) other = read_surface(job.compare);
   Extracted result;

@@ -47,13 +47,6 @@ void add_limits(CLI::App& command, AskedLimits& limits) {
   add_gradation(command, limits);
 }
 
-void add_norm(CLI::App& command, double& norm) {
-  command.add_option("--norm", norm, "p of the norm of the error that becomes least: a number, 1 or more, or inf")
-      ->type_name("P")
-      ->capture_default_str()
-      ->check(number([](double x) { return x >= 1; }, "a number, 1 or more, or inf"));
-}
-
 Limits limits_of(const AskedLimits& asked) {
   Limits limits = asked.bounds;
   if (asked.beta) limits.gradation = Gradation{.beta = *asked.beta, .mix = asked.mix};

@@ -18,9 +18,6 @@ struct AskedLimits {
 /// Adds the options to `command`; they fill `limits`, which must outlive it.
 void add_limits(CLI::App& command, AskedLimits& limits);
 
-/// The option --norm.
-void add_norm(CLI::App& command, double& norm);
-
 [[nodiscard]] Limits limits_of(const AskedLimits& asked);
 
 /// Throws InputError if the limits contradict each other. `command` is named in the message.

@@ -10,6 +10,7 @@
 #include "files.hpp"
 #include "limits.hpp"
 #include "metric_work.hpp"
+#include "options.hpp"
 #include "taut/taut.hpp"
 
 namespace taut::program {
@@ -53,15 +54,7 @@ void add_fields(CLI::App& command, MetricJob& job) {
   add_inputs(command, job, "FIELDS",
              "solutions at the vertices, .sol or .solb: scalars, or vectors, of which each component counts");
   command.get_option("FIELDS")->required();
-  const auto set_recovery = [&job](const std::string& word) {
-    job.recovery = word == "projection" ? Recovery::double_projection : Recovery::least_squares;
-  };
-  command
-      .add_option_function<std::string>("--recovery", set_recovery,
-                                        "least-squares (the default): fit of a quadratic function around each vertex; "
-                                        "projection: gradients averaged twice")
-      ->type_name("WORD")
-      ->check(one_of("least-squares", "projection"));
+  add_recovery(command, job.recovery);
 }
 
 void add_lp(CLI::App& metric, Job& job) {
@@ -69,10 +62,7 @@ void add_lp(CLI::App& metric, Job& job) {
   CLI::App* command =
       add_kind(metric, job, asked, "lp", "for the least error of a solution at a given complexity", run_lp);
   add_fields(*command, *asked);
-  command->add_option("--complexity", asked->lp.complexity, "about 0.4 times the wanted number of vertices")
-      ->required()
-      ->type_name("N")
-      ->check(positive_number());
+  add_complexity(*command, asked->lp.complexity)->required();
   add_norm(*command, asked->lp.norm);
   add_limits(*command, asked->limits);
 }

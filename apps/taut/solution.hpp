@@ -9,9 +9,16 @@
 
 namespace taut::program {
 
+/// All fields of all files, in their order. Throws InputError, naming the file, unless each has finite values for
+/// `points` vertices.
+[[nodiscard]] std::vector<Field> read_fields(std::span<const std::string> files, std::size_t points);
+
 /// Every number that stands at the vertices in the files, as one array each: scalars, and the components of vectors.
-/// Throws InputError for a tensor, and unless all have `points` finite values: naming the file.
+/// Throws InputError for a tensor too.
 [[nodiscard]] std::vector<std::vector<double>> read_scalars(std::span<const std::string> files, std::size_t points);
+
+/// The only number that stands at the vertices in the file. Throws InputError if there are more.
+[[nodiscard]] std::vector<double> read_scalar(const std::string& file, std::size_t points);
 
 /// A tensor field for write_solution().
 [[nodiscard]] Field field_of(const Tensors& tensors);

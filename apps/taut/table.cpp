@@ -68,6 +68,22 @@ void add_shapes(Table& table, const Quality& q) {
              q.mean_ratio_min);
 }
 
+void add_components(Table& table, const TransferReport& report) {
+  table.line("{:<16}{:>16}{:>16}{:>13}{:>15}{:>15}{:>17}{:>15}", "field component", "mass before", "after", "change",
+             "least before", "after", "greatest before", "after");
+  for (std::size_t f = 0; f < report.fields.size(); ++f)
+    for (std::size_t c = 0; c < report.fields[f].size(); ++c) {
+      const ComponentReport& r = report.fields[f][c];
+      table.line("{:<16}{:>16.9g}{:>16.9g}{:>13.2e}{:>15.7g}{:>15.7g}{:>17.7g}{:>15.7g}",
+                 fmt::format("{} {}", f + 1, c + 1), r.mass_before, r.mass_after, r.mass_after - r.mass_before,
+                 r.least_before, r.least_after, r.greatest_before, r.greatest_after);
+    }
+  table.line("\nvolume          {:.9g} before, {:.9g} after", report.volume_before, report.volume_after);
+  if (report.covered_volume)
+    table.line("intersection    {:.9g}, {} pairs of tetrahedra", *report.covered_volume, report.overlaps);
+  table.line("outside         {} points, at most {:.3g} from the old mesh", report.outside, report.distance_max);
+}
+
 std::string refusals(const PassReport& pass) {
   std::string text;
   for (const auto& [reason, count] : pass.refused) {
@@ -106,21 +122,18 @@ std::string work_table(const Report& report) {
   return std::move(table).text();
 }
 
+std::string solution_table(const SolutionResult& result) {
+  Table table;
+  const double c = result.complexity;
+  table.line("complexity    {:.6g} of the metric on the old mesh, about {:.3g} tetrahedra in a unit mesh\n", c,
+             tetrahedra_per_complexity * c);
+  if (!result.transferred.fields.empty()) add_components(table, result.transferred);
+  return std::move(table).text();
+}
+
 std::string transfer_table(const TransferReport& report) {
   Table table;
-  table.line("{:<16}{:>16}{:>16}{:>13}{:>15}{:>15}{:>15}{:>15}", "field component", "mass before", "after", "change",
-             "least before", "after", "greatest before", "after");
-  for (std::size_t f = 0; f < report.fields.size(); ++f)
-    for (std::size_t c = 0; c < report.fields[f].size(); ++c) {
-      const ComponentReport& r = report.fields[f][c];
-      table.line("{:<16}{:>16.9g}{:>16.9g}{:>13.2e}{:>15.7g}{:>15.7g}{:>15.7g}{:>15.7g}",
-                 fmt::format("{} {}", f + 1, c + 1), r.mass_before, r.mass_after, r.mass_after - r.mass_before,
-                 r.least_before, r.least_after, r.greatest_before, r.greatest_after);
-    }
-  table.line("\nvolume          {:.9g} before, {:.9g} after", report.volume_before, report.volume_after);
-  if (report.covered_volume)
-    table.line("intersection    {:.9g}, {} pairs of tetrahedra", *report.covered_volume, report.overlaps);
-  table.line("outside         {} points, at most {:.3g} from the old mesh", report.outside, report.distance_max);
+  add_components(table, report);
   table.line("\n{:<14}{:>9}", "phase", "seconds");
   for (const auto& [phase, seconds] : report.seconds) table.line("{:<14}{:>9.3f}", phase, seconds);
   return std::move(table).text();

@@ -5,6 +5,7 @@
 
 #include "taut/adapt.hpp"
 #include "taut/quality.hpp"
+#include "taut/solution.hpp"
 #include "taut/transfer.hpp"
 
 namespace taut::program {
@@ -14,6 +15,9 @@ namespace taut::program {
 
 /// Operations and seconds of each pass, then the seconds of the phases outside the passes.
 [[nodiscard]] std::string work_table(const Report& report);
+
+/// The complexity, and what the transfer of the fields did.
+[[nodiscard]] std::string solution_table(const SolutionResult& result);
 
 /// Mass and range of each component before and after, the volumes, and the points outside.
 [[nodiscard]] std::string transfer_table(const TransferReport& report);

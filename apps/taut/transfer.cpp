@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "files.hpp"
 #include "json.hpp"
+#include "options.hpp"
 #include "stopwatch.hpp"
 #include "table.hpp"
 #include "taut/taut.hpp"
@@ -37,14 +38,7 @@ void add_transfer_options(CLI::App& command, TransferJob& job) {
   command.add_option("-o,--output", job.output, "file for the fields at the vertices of TO, .sol or .solb")
       ->required()
       ->type_name("OUT");
-  const auto set_method = [&job](const std::string& word) {
-    job.options.method = word == "linear" ? Transfer::linear : Transfer::conservative;
-  };
-  command
-      .add_option_function<std::string>("--method", set_method,
-                                        "conservative (the default): keep the integrals; linear: interpolate")
-      ->type_name("WORD")
-      ->check(one_of("conservative", "linear"));
+  add_method(command, "--method", job.options.method);
   command.add_option("--report", job.report, "file for a report, .json")->type_name("FILE");
   command.add_flag("--quiet", job.quiet, "print only errors");
   add_threads(command, job.threads);
@@ -71,8 +65,7 @@ void write_transfer(const TransferJob& job, Transferred& result) {
   if (job.report.empty()) return;
   Json json = {
       {"taut", TAUT_VERSION}, {"from", job.from}, {"fields_file", job.fields}, {"to", job.to}, {"output", job.output}};
-  json["options"] = {{"method", job.options.method == Transfer::linear ? "linear" : "conservative"},
-                     {"threads", job.threads}};
+  json["options"] = {{"method", word_of(job.options.method)}, {"threads", job.threads}};
   json.update(json_of(result.report));
   write_text(job.report, text_of(json));
 }

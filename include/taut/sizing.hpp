@@ -33,15 +33,16 @@ inline constexpr double tetrahedra_per_complexity = 10.5;  ///< of a unit mesh (
 
 /// What lp_metric() aims at.
 struct LpOptions {
-  double complexity =
-      0;  ///< above 0; in multiples of it a unit mesh has `vertices_per_complexity`, `tetrahedra_per_complexity`
+  /// Above 0. A unit mesh has `vertices_per_complexity` times as many vertices and `tetrahedra_per_complexity` times as
+  /// many tetrahedra.
+  double complexity = 0;
   double norm = 2;  ///< p of the L^p norm of the interpolation error, in [1, infinity]
-  Limits limits{};
+  Limits limits{};  ///< on the metric, which has the complexity all the same
 };
 
 /// A metric that was scaled to a complexity.
 struct ScaledMetric {
-  Tensors metric;
+  Tensors metric;         ///< at the points of the mesh
   double complexity = 0;  ///< of the metric, with all limits applied
   int evaluations = 0;    ///< how often limits were applied and the complexity computed
   /// What keeps the complexity from the one that was asked for: "hmin", "hmax", or empty if nothing does.
@@ -51,8 +52,9 @@ struct ScaledMetric {
 /// The metric that minimises the L^p norm of the interpolation error for a given complexity,
 /// det|H|^(-1/(2p+3)) |H| times a constant (Alauzet and Loseille 2010); the constant is such that the complexity is
 /// within 0.2 % of the one that was asked for after all limits are applied. The metrics of several fields, one array of
-/// Hessians each, are scaled to the same complexity, then intersected. Throws InputError for arrays of wrong length, a
-/// tensor that is not finite (naming its index), and options that make no sense.
+/// Hessians each, are scaled to the same complexity, then intersected; those whose Hessian is zero everywhere are left
+/// out. Throws InputError for arrays of wrong length, a tensor that is not finite (naming its index), and options that
+/// make no sense.
 [[nodiscard]] TAUT_EXPORT ScaledMetric lp_metric(const Mesh& mesh, std::span<const Tensors> hessians,
                                                  const LpOptions& options);
 

@@ -1,6 +1,8 @@
 // From a solution on a mesh to the adapted mesh with the solution on it, in one call.
 #pragma once
 
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "taut/adapt.hpp"
@@ -16,7 +18,7 @@ namespace taut {
 struct SolutionOptions {
   LpOptions sizing{};                           ///< the wanted complexity, the norm, limits on the metric
   Recovery recovery = Recovery::least_squares;  ///< of the Hessians
-  AdaptOptions adapt{};                         ///< without limits, which `sizing` holds
+  AdaptOptions adapt{};                         ///< without limits, which `sizing` holds; its threads serve all steps
   TransferOptions transfer{};                   ///< of all fields to the adapted mesh
 };
 
@@ -27,12 +29,14 @@ struct SolutionResult {
   double complexity = 0;       ///< of the metric on the input mesh
   std::string stopped_by;      ///< as in ScaledMetric
   TransferReport transferred;  ///< empty for Transfer::linear, which needs no search
+  std::vector<std::pair<std::string, double>> seconds;  ///< elapsed time: "sizing", "adapt", "transfer"
 };
 
 /// Recovers the Hessians of all scalars and of all components of vectors in `fields`, makes the L^p metric of them
-/// (lp_metric()), adapts the mesh to it and transfers all fields, tensors too. One call does not reach the fixed point:
-/// solve on the new mesh and call again, a few times. Throws InputError, with messages that start with "field: " if
-/// they are about a field.
+/// (lp_metric(); what is linear does not count beside others), adapts the mesh to it and transfers all fields, tensors
+/// too. One call does not reach the fixed point: solve on the new mesh and call again, a few times. If a callback of
+/// `adapt` asks to stop, the fields are still transferred, to the mesh as it is then. Throws InputError for input that
+/// cannot be used, with a message that starts with "fields: " if it is about them, and for limits in `adapt`.
 [[nodiscard]] TAUT_EXPORT SolutionResult adapt_to_solution(const Mesh& mesh, const std::vector<Field>& fields,
                                                            const SolutionOptions& options);
 

@@ -22,6 +22,7 @@ enum class InTime {
 /// Collects the Hessians that a solution has on one mesh during a sub-interval.
 class TAUT_EXPORT HessianInTime {
 public:
+  /// Nothing is collected yet.
   explicit HessianInTime(InTime kind = InTime::average) : kind_(kind) {}
 
   /// Adds the Hessian of a time step of length `dt` > 0. Throws InputError if there are not as many tensors as before,
@@ -30,7 +31,11 @@ public:
 
   /// The mean or the intersection of |H|; empty if nothing was added.
   [[nodiscard]] Tensors hessian() const;
+
+  /// How many time steps were added.
   [[nodiscard]] std::size_t steps() const { return steps_; }
+
+  /// The sum of their lengths.
   [[nodiscard]] double duration() const { return duration_; }
 
 private:
@@ -42,10 +47,10 @@ private:
 
 /// The mesh that serves one sub-interval of time, and what the solution needs there.
 struct SubInterval {
-  const Mesh* mesh = nullptr;
-  Tensors hessian;      ///< as HessianInTime collects it
-  double steps = 1;     ///< time steps that the solver takes, above 0
-  double duration = 1;  ///< above 0
+  const Mesh* mesh = nullptr;  ///< not null
+  Tensors hessian;             ///< at the points of the mesh, as HessianInTime collects it
+  double steps = 1;            ///< time steps that the solver takes, above 0
+  double duration = 1;         ///< above 0
 };
 
 /// What space_time_metrics() found.

@@ -43,10 +43,13 @@ struct UnsteadyOptions {
   LpOptions sizing{};                           ///< `complexity` is that in space and time: summed over all time steps
   InTime in_time = InTime::average;             ///< what stands for all times of a sub-interval
   Recovery recovery = Recovery::least_squares;  ///< of the Hessians
-  AdaptOptions adapt{};                         ///< without limits, which `sizing` holds
-  TransferOptions transfer{};                   ///< of the state from one sub-interval to the next
+  /// Without limits, which `sizing` holds. A callback that returns false only ends the adaptation of one mesh: to end
+  /// the run, throw.
+  AdaptOptions adapt{};
+  TransferOptions transfer{};  ///< of the state from one sub-interval to the next
   /// Folder that holds the progress after each sub-interval; empty: none is kept. If it holds any when the run starts,
-  /// the run goes on from there, with the same bits as one that was never interrupted.
+  /// the run goes on from there. With the same mesh, functions and options, its bits are those of a run that was never
+  /// interrupted. Only `iterations` may grow: then a finished run goes on.
   std::filesystem::path checkpoint{};
 };
 
@@ -67,9 +70,10 @@ struct UnsteadyResult {
 /// Computes the whole time again and again, each time on meshes that are adapted to the solution of the time before:
 /// one mesh per sub-interval, for all its steps, so that the mesh does not lag behind what moves (transient fixed
 /// point, Alauzet, Frey, George and Mohammadi 2007; space_time_metrics()). `initial` gives the state at the first time
-/// on any mesh, `advance` the solver. What they throw reaches the caller, and the checkpoint stays. Throws InputError
-/// for options that make no sense, a state that does not fit the mesh, and a sub-interval without a sample; Failure if
-/// the checkpoint cannot be written.
+/// on any mesh, one field or more, `advance` the solver. What they throw reaches the caller, and the checkpoint stays.
+/// Throws InputError for options that make no sense, a state that does not fit the mesh or is not finite, a
+/// sub-interval without a sample, and a checkpoint that is damaged or does not fit; Failure if the checkpoint cannot be
+/// written.
 [[nodiscard]] TAUT_EXPORT UnsteadyResult
 unsteady_fixed_point(const Mesh& mesh, const std::function<std::vector<Field>(const Mesh&)>& initial,
                      const std::function<void(Interval&)>& advance, const UnsteadyOptions& options);

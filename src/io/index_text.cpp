@@ -1,6 +1,10 @@
-// Text files: a keyword is a token that begins with a letter. Unknown ones end the block before them and are passed
-// over.
+// Text files: a keyword is a token that begins with a letter, except for names of numbers. Unknown ones end the block
+// before them and are passed over.
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "io/index.hpp"
 #include "io/text_cursor.hpp"
@@ -12,13 +16,20 @@ constexpr bool is_letter(char c) {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
 
-/// Calls visit(keyword or null, begin, end) with the place of each token that begins with a letter, until it says
-/// false.
+/// Values like these begin no block: then reading it finds them in their places.
+bool names_value(std::string_view token) {
+  constexpr std::array<std::string_view, 3> values = {"nan", "inf", "infinity"};
+  const auto same = [](char a, char b) { return (a | 0x20) == b; };  // in either case
+  return std::ranges::any_of(values, [&](std::string_view value) { return std::ranges::equal(token, value, same); });
+}
+
+/// Calls visit(keyword or null, begin, end) with the place of each token that begins with a letter and is no value,
+/// until it says false.
 template <class Visitor>
 void for_each_word(const char* begin, const char* end, Visitor visit) {
   for (const char* p = skip_blank(begin, end); p != end;) {
     const char* stop = token_end(p, end);
-    if (is_letter(*p) && !visit(find_keyword({p, stop}), p, stop)) return;
+    if (is_letter(*p) && !names_value({p, stop}) && !visit(find_keyword({p, stop}), p, stop)) return;
     p = skip_blank(stop, end);
   }
 }

@@ -6,9 +6,9 @@
 
 #include "base/buckets.hpp"
 #include "base/parallel.hpp"
+#include "mesh/faces.hpp"
 #include "mesh/incidence.hpp"
 #include "mesh/orientation.hpp"
-#include "mesh/faces.hpp"
 #include "taut/quality.hpp"
 
 namespace taut {

@@ -18,12 +18,26 @@
 namespace taut {
 namespace {
 
+bool is_flat(const Tensors& hessian) {
+  return std::ranges::all_of(hessian, [](const Tensor& h) { return h == Tensor{}; });
+}
+
+/// A field that is flat everywhere, such as a component of a velocity that is zero, asks for nothing. One is kept if
+/// there is no other.
+std::vector<const Tensors*> those_that_ask(std::span<const Tensors> hessians) {
+  std::vector<const Tensors*> some;
+  for (const Tensors& hessian : hessians)
+    if (!is_flat(hessian)) some.push_back(&hessian);
+  if (some.empty()) some.push_back(&hessians.front());
+  return some;
+}
+
 /// Each field's metric gets the whole complexity: what one field needs does not depend on the unit of another.
-std::vector<Spectrum> joint_spectra(const Mesh& mesh, std::span<const Tensors> hessians, const LpOptions& options,
-                                    const Limits& bounds) {
+std::vector<Spectrum> joint_spectra(const Mesh& mesh, std::span<const Tensors* const> hessians,
+                                    const LpOptions& options, const Limits& bounds) {
   std::vector<Sym3> joint;
-  for (const Tensors& hessian : hessians) {
-    auto metric = scaled_to(options.complexity, Shape(mesh, optimal_spectra(hessian, options.norm), bounds)).metric;
+  for (const Tensors* hessian : hessians) {
+    auto metric = scaled_to(options.complexity, Shape(mesh, optimal_spectra(*hessian, options.norm), bounds)).metric;
     if (joint.empty()) {
       joint = std::move(metric);
       continue;
@@ -45,8 +59,9 @@ ScaledMetric lp_metric(const Mesh& mesh, std::span<const Tensors> hessians, cons
   const Limits limits = within_domain(mesh, options.limits);
   Limits bounds = limits;
   bounds.gradation.reset();
-  auto spectra = hessians.size() == 1 ? optimal_spectra(hessians[0], options.norm)
-                                      : joint_spectra(mesh, hessians, options, bounds);
+  const auto asking = those_that_ask(hessians);
+  auto spectra =
+      asking.size() == 1 ? optimal_spectra(*asking[0], options.norm) : joint_spectra(mesh, asking, options, bounds);
   return scaled_to(options.complexity, Shape(mesh, std::move(spectra), limits));
 }
 

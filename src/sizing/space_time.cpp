@@ -19,19 +19,31 @@
 namespace taut {
 namespace {
 
-constexpr double smallest_scale = 1e-200;
+/// Stands for the largest eigenvalue of a field that is linear everywhere: its powers in the metric do not underflow.
+constexpr double smallest_scale = 1e-60;
 
 void require_positive(const char* what, double value) {
   if (!(value > 0 && std::isfinite(value)))
     throw InputError(fmt::format("{} {} found, expected a number above 0", what, value));
 }
 
-void require(const SubInterval& interval) {
-  if (interval.mesh == nullptr) throw InputError("a sub-interval without a mesh found");
+void require_sound(const SubInterval& interval) {
+  if (interval.mesh == nullptr) throw InputError("no mesh found");
   require_sound_arrays(*interval.mesh);
   require_tensors(interval.hessian, interval.mesh->points.size());
   require_positive("steps", interval.steps);
   require_positive("duration", interval.duration);
+}
+
+void require_sound(std::span<const SubInterval> intervals) {
+  if (intervals.empty()) throw InputError("no sub-interval found, expected one or more");
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    try {
+      require_sound(intervals[i]);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("sub-interval {}: {}", i + 1, error.what()));
+    }
+  }
 }
 
 std::vector<std::vector<Spectrum>> absolute_by_interval(std::span<const SubInterval> intervals) {
@@ -90,8 +102,7 @@ Tensors HessianInTime::hessian() const {
 
 SpaceTimeMetrics space_time_metrics(std::span<const SubInterval> intervals, const LpOptions& options) {
   require_options(options);
-  if (intervals.empty()) throw InputError("no sub-interval found, expected one or more");
-  for (const SubInterval& interval : intervals) require(interval);
+  require_sound(intervals);
   Limits limits = options.limits;
   for (const SubInterval& interval : intervals) limits.hmax = within_domain(*interval.mesh, limits).hmax;
   auto absolute = absolute_by_interval(intervals);

@@ -1,6 +1,7 @@
 #include <utility>
 
-#include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
+#include "solution/options.hpp"
 #include "solution/sensors.hpp"
 #include "taut/solution.hpp"
 #include "taut/threads.hpp"
@@ -19,17 +20,30 @@ void transfer_fields(const Mesh& mesh, const std::vector<Field>& fields, const T
   result.transferred = std::move(transferred.report);
 }
 
+template <class Step>
+void timed_step(SolutionResult& result, const char* name, Step step) {
+  const Stopwatch watch;
+  step();
+  result.seconds.emplace_back(name, watch.seconds());
+}
+
+void run_steps(const Mesh& mesh, const std::vector<Field>& fields, const SolutionOptions& options,
+               SolutionResult& result) {
+  ScaledMetric scaled;
+  timed_step(result, "sizing",
+             [&] { scaled = lp_metric(mesh, hessians_of(mesh, fields, options.recovery), options.sizing); });
+  result.complexity = scaled.complexity;
+  result.stopped_by = std::move(scaled.stopped_by);
+  timed_step(result, "adapt", [&] { result.adapted = adapt(mesh, Metric{std::move(scaled.metric)}, options.adapt); });
+  timed_step(result, "transfer", [&] { transfer_fields(mesh, fields, options.transfer, result); });
+}
+
 }  // namespace
 
 SolutionResult adapt_to_solution(const Mesh& mesh, const std::vector<Field>& fields, const SolutionOptions& options) {
+  require_sound(options.sizing, options.adapt);
   SolutionResult result;
-  on_threads(options.adapt.threads, [&] {
-    ScaledMetric scaled = lp_metric(mesh, hessians_of(mesh, fields, options.recovery), options.sizing);
-    result.complexity = scaled.complexity;
-    result.stopped_by = std::move(scaled.stopped_by);
-    result.adapted = adapt(mesh, Metric{std::move(scaled.metric)}, options.adapt);
-    transfer_fields(mesh, fields, options.transfer, result);
-  });
+  on_threads(options.adapt.threads, [&] { run_steps(mesh, fields, options, result); });
   return result;
 }
 

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
+#include <locale>
+#include <system_error>
 
 #include "taut/error.hpp"
 #include "taut/io.hpp"
@@ -14,19 +17,57 @@ namespace {
 constexpr const char* summary_name = "progress.txt";
 constexpr const char* title = "taut-unsteady-1";
 
+/// The small file that says which of the others count.
+struct Summary {
+  std::size_t iteration = 0;
+  std::vector<double> times;
+  std::vector<std::array<double, 2>> done;  ///< steps and duration of each sub-interval that has been computed
+};
+
+/// As many rows of numbers as the file says, or fewer if it ends early.
+template <class Row, class Read>
+std::vector<Row> rows_in(std::istream& in, Read read) {
+  std::size_t count = 0;
+  in >> count;
+  std::vector<Row> rows;
+  for (Row row{}; rows.size() < count && read(row);) rows.push_back(row);
+  return rows;
+}
+
+Summary read_summary(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  in.imbue(std::locale::classic());
+  std::string found;
+  Summary summary;
+  in >> found >> summary.iteration;
+  summary.times = rows_in<double>(in, [&](double& time) -> bool { return !!(in >> time); });
+  summary.done = rows_in<std::array<double, 2>>(in, [&](auto& row) -> bool { return !!(in >> row[0] >> row[1]); });
+  if (!in || found != title || summary.done.size() >= summary.times.size())
+    throw InputError(fmt::format("{}: damaged, or not a checkpoint of taut", path.string()));
+  return summary;
+}
+
 Field tensor_field(const Tensors& tensors) {
   Field field{.kind = Field::Kind::tensor, .values = {}};
   for (const Tensor& t : tensors) field.values.insert(field.values.end(), t.begin(), t.end());
   return field;
 }
 
-Tensors tensors_in(const std::filesystem::path& path) {
-  const std::vector<Field> fields = read_solution(path);
+std::vector<Field> fields_in(const std::filesystem::path& path, std::size_t points) {
+  std::vector<Field> fields = read_solution(path);
+  for (const Field& field : fields)
+    if (field.values.size() != points * field.size())
+      throw InputError(fmt::format("{}: values for {} vertices found, expected {}: the run had another mesh",
+                                   path.string(), field.values.size() / field.size(), points));
+  return fields;
+}
+
+Tensors tensors_in(const std::filesystem::path& path, std::size_t points) {
+  const std::vector<Field> fields = fields_in(path, points);
   if (fields.size() != 1 || fields[0].kind != Field::Kind::tensor)
     throw InputError(fmt::format("{}: expected one tensor field", path.string()));
-  Tensors tensors(fields[0].values.size() / 6);
-  for (std::size_t v = 0; v < tensors.size(); ++v)
-    std::copy_n(fields[0].values.begin() + static_cast<std::ptrdiff_t>(6 * v), 6, tensors[v].begin());
+  Tensors tensors(points);
+  for (std::size_t v = 0; v < points; ++v) std::copy_n(&fields[0].values[6 * v], 6, tensors[v].begin());
   return tensors;
 }
 
@@ -41,27 +82,29 @@ bool Checkpoint::exists() const {
   return !folder_.empty() && std::filesystem::exists(folder_ / summary_name);
 }
 
-UnsteadyProgress Checkpoint::read(std::size_t intervals) const {
+UnsteadyProgress Checkpoint::read(const std::shared_ptr<const Mesh>& mesh) const {
   const auto path = folder_ / summary_name;
-  std::ifstream in(path);
-  std::string found;
-  UnsteadyProgress progress;
-  std::size_t count = 0, done = 0;
-  in >> found >> progress.iteration >> count >> done;
-  if (!in || found != title || done > count)
-    throw InputError(fmt::format("{}: not a checkpoint of taut", path.string()));
-  if (count != intervals)
-    throw InputError(fmt::format("{}: {} sub-intervals found, expected {}", path.string(), count, intervals));
-  for (std::size_t i = 0; i < count; ++i)
-    progress.meshes.push_back(std::make_shared<const Mesh>(read_mesh(file("mesh", progress.iteration, i, ".meshb"))));
-  for (std::size_t i = 0; i < done; ++i) {
-    SubInterval interval{.mesh = progress.meshes[i].get(),
-                         .hessian = tensors_in(file("hessian", progress.iteration, i, ".solb"))};
-    in >> interval.steps >> interval.duration;
-    progress.done.push_back(std::move(interval));
+  const Summary summary = read_summary(path);
+  if (summary.times != times_)
+    throw InputError(fmt::format("{}: a run over other times found, expected the same", path.string()));
+  UnsteadyProgress progress{.iteration = summary.iteration, .meshes = {}, .done = {}, .state = {}};
+  // Only the first iteration has one mesh for all: it must stay one, because the state is not transferred to itself.
+  for (std::size_t i = 0; i + 1 < times_.size(); ++i)
+    progress.meshes.push_back(
+        summary.iteration == 0 ? mesh
+                               : std::make_shared<const Mesh>(read_mesh(file("mesh", summary.iteration, i, ".meshb"))));
+  for (const auto& [steps, duration] : summary.done) {
+    const std::size_t i = progress.done.size();
+    const Mesh& its_mesh = *progress.meshes[i];
+    progress.done.push_back(
+        {.mesh = &its_mesh,
+         .hessian = tensors_in(file("hessian", summary.iteration, i, ".solb"), its_mesh.points.size()),
+         .steps = steps,
+         .duration = duration});
   }
-  if (!in) throw InputError(fmt::format("{}: ends too early", path.string()));
-  if (done > 0) progress.state = read_solution(file("state", progress.iteration, done - 1, ".solb"));
+  if (progress.done.empty()) return progress;
+  const std::size_t last = progress.done.size() - 1;
+  progress.state = fields_in(file("state", summary.iteration, last, ".solb"), progress.meshes[last]->points.size());
   return progress;
 }
 
@@ -70,7 +113,7 @@ void Checkpoint::write_meshes(const UnsteadyProgress& progress) const {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error) throw Failure(fmt::format("{}: cannot be created: {}", folder_.string(), error.message()));
-  for (std::size_t i = 0; i < progress.meshes.size(); ++i)
+  for (std::size_t i = 0; i < progress.meshes.size() && progress.iteration > 0; ++i)
     write_mesh(file("mesh", progress.iteration, i, ".meshb"), *progress.meshes[i]);
   write_summary(progress);
 }
@@ -86,8 +129,11 @@ void Checkpoint::write_last(const UnsteadyProgress& progress) const {
 void Checkpoint::write_summary(const UnsteadyProgress& progress) const {
   const auto path = folder_ / summary_name, temporary = folder_ / "progress.tmp";
   std::ofstream out(temporary);
+  out.imbue(std::locale::classic());
   out.precision(std::numeric_limits<double>::max_digits10);
-  out << title << '\n' << progress.iteration << ' ' << progress.meshes.size() << ' ' << progress.done.size() << '\n';
+  out << title << '\n' << progress.iteration << '\n' << times_.size() << '\n';
+  for (const double time : times_) out << time << '\n';
+  out << progress.done.size() << '\n';
   for (const SubInterval& interval : progress.done) out << interval.steps << ' ' << interval.duration << '\n';
   out.close();
   std::error_code error;

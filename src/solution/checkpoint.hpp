@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "taut/field.hpp"
@@ -19,18 +21,20 @@ struct UnsteadyProgress {
   std::vector<Field> state;                         ///< on the mesh of the last of them; empty before the first
 };
 
-/// A folder that holds the progress, or nothing if its name is empty. Files are complete or absent, and one small file
-/// that is written last says which of them count.
+/// A folder that holds the progress of a run over given times, or nothing if its name is empty. Files are complete or
+/// absent, and one small file that is written last says which of them count.
 class Checkpoint {
 public:
-  explicit Checkpoint(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  Checkpoint(std::filesystem::path folder, std::vector<double> times)
+      : folder_(std::move(folder)), times_(std::move(times)) {}
 
   [[nodiscard]] bool exists() const;
 
-  /// Throws InputError if the folder cannot be read, or holds a run of another number of sub-intervals.
-  [[nodiscard]] UnsteadyProgress read(std::size_t intervals) const;
+  /// `mesh` is the one that all sub-intervals of the first iteration have in common. Throws InputError, naming the file
+  /// that is damaged, or does not belong to a run from this mesh over these times.
+  [[nodiscard]] UnsteadyProgress read(const std::shared_ptr<const Mesh>& mesh) const;
 
-  /// The meshes of a new iteration.
+  /// The meshes of a new iteration; of the first one, only that it has begun. Throws Failure.
   void write_meshes(const UnsteadyProgress& progress) const;
 
   /// The last sub-interval that is done. Throws Failure.
@@ -42,6 +46,7 @@ private:
   void write_summary(const UnsteadyProgress& progress) const;
 
   std::filesystem::path folder_;
+  std::vector<double> times_;
 };
 
 }  // namespace taut

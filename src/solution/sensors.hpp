@@ -9,8 +9,9 @@
 
 namespace taut {
 
-/// The Hessians of all scalars and of all components of vectors. Throws InputError naming the field (counted from 1) if
-/// it does not fit the mesh or a value is not finite, and if there is nothing but tensors.
+/// The Hessians of all scalars and of all components of vectors. Those of fields that are linear but for rounding are
+/// zero. Throws InputError, with a message that starts with "fields: ", if a field, tensors included, does not fit the
+/// mesh or is not finite, and if there are only tensors.
 [[nodiscard]] std::vector<Tensors> hessians_of(const Mesh& mesh, const std::vector<Field>& fields, Recovery recovery);
 
 }  // namespace taut

@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "solution/checkpoint.hpp"
+#include "solution/options.hpp"
 #include "taut/error.hpp"
+#include "transfer/values.hpp"
 
 namespace taut {
 namespace {
@@ -15,44 +17,56 @@ namespace {
 using Initial = std::function<std::vector<Field>(const Mesh&)>;
 using Advance = std::function<void(Interval&)>;
 
-void require(const UnsteadyOptions& o) {
-  if (o.times.size() < 2) throw InputError(fmt::format("{} times found, expected two or more", o.times.size()));
-  for (std::size_t i = 0; i + 1 < o.times.size(); ++i)
-    if (!(o.times[i] < o.times[i + 1] && std::isfinite(o.times[i]) && std::isfinite(o.times[i + 1])))
-      throw InputError(fmt::format("time {} found after {}, expected a later one", o.times[i + 1], o.times[i]));
-  if (o.iterations == 0) throw InputError("0 iterations found, expected 1 or more");
+void require_times(std::span<const double> times) {
+  if (times.size() < 2) throw InputError(fmt::format("{} times found, expected two or more", times.size()));
+  for (const double time : times)
+    if (!std::isfinite(time)) throw InputError(fmt::format("time {} found, expected a finite number", time));
+  for (std::size_t i = 0; i + 1 < times.size(); ++i)
+    if (times[i] >= times[i + 1])
+      throw InputError(fmt::format("time {} found after {}, expected a later one", times[i + 1], times[i]));
 }
 
-void require_fit(const std::vector<Field>& state, const Mesh& mesh, const char* whose) {
-  for (const Field& field : state)
-    if (field.values.size() != field.size() * mesh.points.size())
-      throw InputError(fmt::format("field: {} has {} values, expected {} for each of the {} vertices", whose,
-                                   field.values.size(), field.size(), mesh.points.size()));
+void require_unsteady(const UnsteadyOptions& options) {
+  require_times(options.times);
+  if (options.iterations == 0) throw InputError("0 iterations found, expected 1 or more");
+  require_sound(options.sizing, options.adapt);
+}
+
+/// `when` is "begin" or "end".
+void require_state(const Interval& interval, const Mesh& mesh, const char* when) {
+  try {
+    require_sound(interval.state, mesh.points.size());
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("sub-interval {}: state at the {}: {}", interval.index + 1, when, error.what()));
+  }
 }
 
 class FixedPoint {
 public:
   FixedPoint(const Initial& initial, const Advance& advance, const UnsteadyOptions& options)
-      : initial_(initial), advance_(advance), options_(options), checkpoint_(options.checkpoint) {}
+      : initial_(initial), advance_(advance), options_(options), checkpoint_(options.checkpoint, options.times) {}
 
   UnsteadyResult run(const Mesh& mesh) {
     begin(mesh);
-    for (; true; next_iteration()) {
-      while (progress_.done.size() < progress_.meshes.size()) compute_interval(progress_.done.size());
-      report();
-      if (progress_.iteration + 1 >= options_.iterations) break;
+    compute_iteration();
+    while (progress_.iteration + 1 < options_.iterations) {
+      next_iteration();
+      compute_iteration();
     }
     return {std::move(progress_.meshes), std::move(progress_.state), std::move(iterations_)};
   }
 
 private:
   void begin(const Mesh& mesh) {
-    const std::size_t intervals = options_.times.size() - 1;
+    const auto first = std::make_shared<const Mesh>(mesh);
     if (checkpoint_.exists()) {
-      progress_ = checkpoint_.read(intervals);
+      progress_ = checkpoint_.read(first);
+      if (progress_.iteration >= options_.iterations)
+        throw InputError(fmt::format("{}: iteration {} found, expected at most the {} that are asked for",
+                                     options_.checkpoint.string(), progress_.iteration + 1, options_.iterations));
       return;
     }
-    progress_.meshes.assign(intervals, std::make_shared<const Mesh>(mesh));
+    progress_.meshes.assign(options_.times.size() - 1, first);
     checkpoint_.write_meshes(progress_);
   }
 
@@ -73,9 +87,9 @@ private:
                       .state = state_at_begin(index),
                       .collected = HessianInTime(options_.in_time),
                       .recovery = options_.recovery};
-    require_fit(interval.state, *interval.mesh, "the state at the begin of a sub-interval");
+    require_state(interval, *progress_.meshes[index], "begin");
     advance_(interval);
-    require_fit(interval.state, *progress_.meshes[index], "the state that the solver left");
+    require_state(interval, *progress_.meshes[index], "end");
     if (interval.collected.steps() == 0)
       throw InputError(fmt::format("sub-interval {}: no sample found, expected one per time step", index + 1));
     progress_.state = std::move(interval.state);
@@ -86,7 +100,9 @@ private:
     checkpoint_.write_last(progress_);
   }
 
-  void report() {
+  /// The sub-intervals that are left, and what metrics their solution asks for.
+  void compute_iteration() {
+    while (progress_.done.size() < progress_.meshes.size()) compute_interval(progress_.done.size());
     metrics_ = space_time_metrics(progress_.done, options_.sizing);
     IterationReport report{.complexity = metrics_.complexity, .stopped_by = metrics_.stopped_by, .tetrahedra = {}};
     for (const auto& mesh : progress_.meshes) report.tetrahedra.push_back(mesh->tetrahedra.size());
@@ -120,7 +136,7 @@ void Interval::sample(std::span<const double> values, double dt) {
 
 UnsteadyResult unsteady_fixed_point(const Mesh& mesh, const Initial& initial, const Advance& advance,
                                     const UnsteadyOptions& options) {
-  require(options);
+  require_unsteady(options);
   return FixedPoint(initial, advance, options).run(mesh);
 }
 

@@ -90,7 +90,7 @@ TEST_F(Levelset, ThreadsLeaveTheFilesAsTheyAre) {
 TEST_F(Levelset, RefusesFilesThatDoNotFit) {
   write("few.sol", metric_text(Sizes{1, 2, 3}));
   expect_error({"levelset", "extract", "cube.mesh", "few.sol", "-o", "s.mesh"}, 2,
-               {"few.sol: 3 values found", "expected 729"});
+               {"few.sol: values for 3 vertices found", "expected 729"});
   write("tensors.sol", metric_text(Tensors(729, {1, 0, 0, 1, 0, 1})));
   expect_error({"levelset", "extract", "cube.mesh", "tensors.sol", "-o", "s.mesh"}, 2,
                {"tensors.sol: 6 numbers per vertex", "expected one"});

@@ -29,8 +29,8 @@ TEST_F(Usage, UnknownWords) {
   expect_error({"adapt", "a.mesh", "-o", "b.mesh", "--size"}, 2, {"--size", "value"});
 }
 
-TEST_F(Usage, EitherMetricOrSize) {
-  expect_error({"adapt", "a.mesh", "-o", "b.mesh"}, 2, {"--metric", "--size"});
+TEST_F(Usage, EitherMetricOrSizeOrField) {
+  expect_error({"adapt", "a.mesh", "-o", "b.mesh"}, 2, {"none of --metric, --size and --field found"});
   expect_error({"adapt", "a.mesh", "-o", "b.mesh", "--size", "1", "--metric", "m.sol"}, 2, {"--metric", "--size"});
 }
 

@@ -6,8 +6,8 @@
 
 #include "base/vec3.hpp"
 #include "base/with_threads.hpp"
-#include "mesh/grid.hpp"
 #include "mesh/faces.hpp"
+#include "mesh/grid.hpp"
 #include "taut/quality.hpp"
 
 namespace taut {

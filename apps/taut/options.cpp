@@ -1,0 +1,52 @@
+#include "options.hpp"
+
+#include "check.hpp"
+
+namespace taut::program {
+
+CLI::Option* add_complexity(CLI::App& command, double& complexity) {
+  return command.add_option("--complexity", complexity, "about 0.4 times the wanted number of vertices")
+      ->type_name("N")
+      ->check(positive_number());
+}
+
+CLI::Option* add_norm(CLI::App& command, double& norm) {
+  return command
+      .add_option("--norm", norm, "p of the norm of the error that becomes least: a number, 1 or more, or inf")
+      ->type_name("P")
+      ->capture_default_str()
+      ->check(number([](double x) { return x >= 1; }, "a number, 1 or more, or inf"));
+}
+
+CLI::Option* add_recovery(CLI::App& command, Recovery& recovery) {
+  const auto set_recovery = [&recovery](const std::string& word) {
+    recovery = word == word_of(Recovery::double_projection) ? Recovery::double_projection : Recovery::least_squares;
+  };
+  return command
+      .add_option_function<std::string>("--recovery", set_recovery,
+                                        "least-squares (the default): fit of a quadratic function around each vertex; "
+                                        "projection: gradients averaged twice")
+      ->type_name("WORD")
+      ->check(one_of(word_of(Recovery::least_squares), word_of(Recovery::double_projection)));
+}
+
+CLI::Option* add_method(CLI::App& command, const char* name, Transfer& method) {
+  const auto set_method = [&method](const std::string& word) {
+    method = word == word_of(Transfer::linear) ? Transfer::linear : Transfer::conservative;
+  };
+  return command
+      .add_option_function<std::string>(name, set_method,
+                                        "conservative (the default): keep the integrals; linear: interpolate")
+      ->type_name("WORD")
+      ->check(one_of(word_of(Transfer::conservative), word_of(Transfer::linear)));
+}
+
+const char* word_of(Recovery recovery) {
+  return recovery == Recovery::double_projection ? "projection" : "least-squares";
+}
+
+const char* word_of(Transfer method) {
+  return method == Transfer::linear ? "linear" : "conservative";
+}
+
+}  // namespace taut::program

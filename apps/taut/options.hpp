@@ -1,0 +1,27 @@
+// Options that several commands have.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "taut/sizing.hpp"
+#include "taut/transfer.hpp"
+
+namespace taut::program {
+
+/// The option --complexity.
+CLI::Option* add_complexity(CLI::App& command, double& complexity);
+
+/// The option --norm.
+CLI::Option* add_norm(CLI::App& command, double& norm);
+
+/// The option --recovery.
+CLI::Option* add_recovery(CLI::App& command, Recovery& recovery);
+
+/// The option that chooses how fields get to another mesh; `name` is what the command calls it.
+CLI::Option* add_method(CLI::App& command, const char* name, Transfer& method);
+
+/// The word for it on the command line.
+[[nodiscard]] const char* word_of(Recovery recovery);
+[[nodiscard]] const char* word_of(Transfer method);
+
+}  // namespace taut::program
