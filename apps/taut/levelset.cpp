@@ -114,6 +114,7 @@ void add_levelset(CLI::App& app, Job& job) {
   CLI::App* command = app.add_subcommand("levelset", "surfaces on which a field takes a value");
   command->require_subcommand(1);
   add_extract(*command, job);
+  add_place(*command, job);
 }
 
 }  // namespace taut::program
