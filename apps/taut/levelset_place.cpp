@@ -97,6 +97,7 @@ void run_place(const PlaceJob& job) {
   require_output(job.output, mesh_files);
   require_output(job.metric_out, solution_files);
   require_output(job.values_out, solution_files);
+  require_different("--metric-out", job.metric_out, "--values-out", job.values_out);
   const Placed placed = place_files(job);
   write_placed(job, placed);
   if (job.quiet) return;

@@ -42,6 +42,10 @@ double largest_eigenvalue(std::span<const Spectrum> spectra) {
   return sum_in_order<Largest>(spectra.size(), add).value;
 }
 
+void divide(std::vector<Spectrum>& spectra, double by) {
+  for_each_index(spectra.size(), [&](std::size_t v) { spectra[v].values = 1 / by * spectra[v].values; });
+}
+
 void raise_flat(std::vector<Spectrum>& spectra, double largest) {
   const double least = largest > 0 ? flatness * largest : 1;
   for_each_index(spectra.size(), [&](std::size_t v) {

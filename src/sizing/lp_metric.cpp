@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/parallel.hpp"
 #include "mesh/door.hpp"
@@ -32,12 +33,25 @@ std::vector<const Tensors*> those_that_ask(std::span<const Tensors> hessians) {
   return some;
 }
 
+/// |H| in the unit of its largest eigenvalue; 1 if it is zero everywhere: every uniform mesh serves a linear field
+/// alike.
+std::vector<Spectrum> in_own_unit(const Tensors& hessian) {
+  std::vector<Spectrum> absolute = absolute_spectra(hessian);
+  const double largest = largest_eigenvalue(absolute);
+  if (largest > 0)
+    divide(absolute, largest);
+  else
+    raise_flat(absolute, 0);
+  return absolute;
+}
+
 /// Each field's metric gets the whole complexity: what one field needs does not depend on the unit of another.
 std::vector<Spectrum> joint_spectra(const Mesh& mesh, std::span<const Tensors* const> hessians,
                                     const LpOptions& options, const Limits& bounds) {
   std::vector<Sym3> joint;
   for (const Tensors* hessian : hessians) {
-    auto metric = scaled_to(options.complexity, Shape(mesh, optimal_spectra(*hessian, options.norm), bounds)).metric;
+    auto metric =
+        scaled_to(options.complexity, Shape(mesh, in_own_unit(*hessian), {.norm = options.norm}, bounds)).metric;
     if (joint.empty()) {
       joint = std::move(metric);
       continue;
@@ -60,9 +74,11 @@ ScaledMetric lp_metric(const Mesh& mesh, std::span<const Tensors> hessians, cons
   Limits bounds = limits;
   bounds.gradation.reset();
   const auto asking = those_that_ask(hessians);
-  auto spectra =
-      asking.size() == 1 ? optimal_spectra(*asking[0], options.norm) : joint_spectra(mesh, asking, options, bounds);
-  return scaled_to(options.complexity, Shape(mesh, std::move(spectra), limits));
+  if (asking.size() == 1)
+    return scaled_to(options.complexity, Shape(mesh, in_own_unit(*asking[0]), {.norm = options.norm}, limits));
+  // What is left is a metric, which one factor scales: as for the maximum norm.
+  const Optimum linear{.norm = std::numeric_limits<double>::infinity()};
+  return scaled_to(options.complexity, Shape(mesh, joint_spectra(mesh, asking, options, bounds), linear, limits));
 }
 
 Tensors error_metric(const Mesh& mesh, const Tensors& hessian, double error, const Limits& limits) {

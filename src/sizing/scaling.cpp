@@ -37,18 +37,17 @@ std::pair<double, const char*> reachable(double wanted, double volume, const Lim
 double first_factor(double goal, std::span<const Shape> shapes, std::span<const double> weights) {
   RootSearch search(tolerance, most_evaluations);
   while (!search.done()) {
-    const double factor = std::exp(search.next());
-    const auto complexity = [&](std::size_t i) { return shapes[i].ungraded_complexity(factor); };
+    const auto complexity = [&](std::size_t i) { return shapes[i].ungraded_complexity(search.next()); };
     search.add(std::log(weighted_sum(weights, complexity) / goal));
   }
   return search.next();
 }
 
-void evaluate(double factor, std::span<const Shape> shapes, std::span<const double> weights, Scaled& result) {
+void evaluate(double log_factor, std::span<const Shape> shapes, std::span<const double> weights, Scaled& result) {
   result.metrics.clear();
   result.complexities.clear();
   for (const Shape& shape : shapes) {
-    result.metrics.push_back(shape.metric(factor));
+    result.metrics.push_back(shape.metric(log_factor));
     result.complexities.push_back(shape.complexity_of(result.metrics.back()));
   }
   result.total = weighted_sum(weights, [&](std::size_t i) { return result.complexities[i]; });
@@ -64,7 +63,7 @@ Scaled scaled_to(double wanted, std::span<const Shape> shapes, std::span<const d
   result.stopped_by = bound;
   RootSearch search(tolerance, most_evaluations, first_factor(goal, shapes, weights));
   while (!search.done()) {
-    evaluate(std::exp(search.next()), shapes, weights, result);
+    evaluate(search.next(), shapes, weights, result);
     search.add(std::log(result.total / goal));
   }
   return result;

@@ -53,18 +53,18 @@ std::vector<std::vector<Spectrum>> absolute_by_interval(std::span<const SubInter
     all.push_back(absolute_spectra(interval.hessian));
     largest = std::max(largest, largest_eigenvalue(all.back()));
   }
-  for (auto& spectra : all) raise_flat(spectra, largest);  // alike, so that quiet times get little
+  for (auto& spectra : all)
+    if (largest > 0)
+      divide(spectra, largest);
+    else
+      raise_flat(spectra, 0);
   return all;
 }
 
-/// The power of the number of steps is twice that of the determinant: many steps make a mesh dear. A duration counts as
-/// a factor of the Hessian.
-std::vector<Spectrum> weighted(std::vector<Spectrum> absolute, const SubInterval& interval, double norm) {
-  const double exponent = lp_exponent(norm);
-  const double factor = std::pow(interval.steps, 2 * exponent) * std::pow(interval.duration, 1 + 3 * exponent);
-  auto spectra = optimal_spectra(std::move(absolute), norm);
-  for_each_index(spectra.size(), [&](std::size_t v) { spectra[v].values = factor * spectra[v].values; });
-  return spectra;
+/// A duration counts as a factor of the Hessian, a time step as the price of an element.
+Shape shape_of(const SubInterval& interval, std::vector<Spectrum> absolute, double norm, const Limits& limits) {
+  for_each_index(absolute.size(), [&](std::size_t v) { absolute[v].values = interval.duration * absolute[v].values; });
+  return {*interval.mesh, std::move(absolute), {.norm = norm, .price = interval.steps}, limits};
 }
 
 /// Where a field is flat the eigenvalues are tiny, not zero, because only positive definite tensors can be intersected.
@@ -79,7 +79,8 @@ std::vector<Spectrum> positive_spectra(const Tensors& hessian) {
 void HessianInTime::add(const Tensors& hessian, double dt) {
   require_positive("dt", dt);
   require_tensors(hessian, steps_ > 0 ? sum_.size() : hessian.size());
-  const std::vector<Spectrum> absolute = positive_spectra(hessian);
+  const std::vector<Spectrum> absolute =
+      kind_ == InTime::average ? absolute_spectra(hessian) : positive_spectra(hessian);
   sum_.resize(hessian.size());
   for_each_index(sum_.size(), [&](std::size_t v) {
     const Sym3 h = assemble(absolute[v]);
@@ -109,7 +110,7 @@ SpaceTimeMetrics space_time_metrics(std::span<const SubInterval> intervals, cons
   std::vector<Shape> shapes;
   std::vector<double> weights;
   for (std::size_t i = 0; i < intervals.size(); ++i) {
-    shapes.emplace_back(*intervals[i].mesh, weighted(std::move(absolute[i]), intervals[i], options.norm), limits);
+    shapes.push_back(shape_of(intervals[i], std::move(absolute[i]), options.norm, limits));
     weights.push_back(intervals[i].steps);
   }
   Scaled scaled = scaled_to(options.complexity, shapes, weights);

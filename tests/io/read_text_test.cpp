@@ -76,8 +76,8 @@ TEST(ReadText, RefusesCoordinatesThatAreNotFinite) {
     return error_of(std::string(head) + "Vertices\n2\n0.00 0.00 0.00 0\n0 " + bad + " 0 0\n" + tets);
   };
   EXPECT_EQ(with("1e999"), "wing.mesh: line 6: Vertices 2: finite number expected, found \"1e999\"");
-  EXPECT_EQ(with("nan"), "wing.mesh: line 6: Vertices 2: finite number expected, found \"nan\"");
-  EXPECT_EQ(with("Inf"), "wing.mesh: line 6: Vertices 2: finite number expected, found \"Inf\"");
+  EXPECT_EQ(with("nan"), "wing.mesh: line 6: Vertices 2: finite number expected, found infinity or not-a-number");
+  EXPECT_EQ(with("Inf"), "wing.mesh: line 6: Vertices 2: finite number expected, found infinity or not-a-number");
   EXPECT_EQ(with("-nan"), "wing.mesh: line 6: Vertices 2: finite number expected, found infinity or not-a-number");
   EXPECT_EQ(with("-inf"), "wing.mesh: line 6: Vertices 2: finite number expected, found infinity or not-a-number");
 }

@@ -50,6 +50,27 @@ TEST(LpMetric, OfAParabolaHasTheComplexity) {
   }
 }
 
+/// What det|H| is there is rounding, which must not decide on the size across the front.
+TEST(LpMetric, OfAPlanarFrontDependsOnTheDistanceAlone) {
+  const Mesh mesh = irregular_cube(16, 11);
+  const auto slope = [](const Point& p) { return std::tanh(8 * (p[0] - 0.4)); };
+  const auto hessian = recover_hessian(mesh, sampled(mesh, slope));
+  Tensors noisy(mesh.points.size());  // in the directions along the front
+  for (std::size_t v = 0; v < noisy.size(); ++v) {
+    const double t = slope(mesh.points[v]);
+    noisy[v] = {-128 * t * (1 - t * t), 0, 0, v % 2 == 0 ? 1e-3 : 1e-11, 0, 1e-9};
+  }
+  for (const Tensors& h : {hessian, noisy}) {
+    const Tensors metric = metric_for(mesh, h, {.complexity = 600}).metric;
+    double near = 0, far = 0;
+    for (std::size_t v = 0; v < metric.size(); ++v) {
+      const double d = std::abs(mesh.points[v][0] - 0.4);
+      (d < 0.15 ? near : far) = std::max(d < 0.15 ? near : far, d < 0.15 || d > 0.3 ? metric[v][0] : 0);
+    }
+    EXPECT_GT(near, 4 * far);
+  }
+}
+
 TEST(LpMetric, OfALinearFieldIsUniform) {
   const Mesh mesh = irregular_cube(5, 3);
   const auto scaled = metric_for(mesh, Tensors(mesh.points.size()), {.complexity = 1000});
