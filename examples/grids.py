@@ -13,7 +13,10 @@ def cube(cells, low, high):
 
 
 def box(cells, low, high):
-    """A box between two corners in cells[0] x cells[1] x cells[2] boxes of six tetrahedra each; its sides have the references 1 to 6."""
+    """What lies between two corners, in cells[0] x cells[1] x cells[2] boxes of six tetrahedra each.
+
+    The sides have the references 1 to 6.
+    """
     ticks = [np.linspace(*ends, count + 1) for *ends, count in zip(low, high, cells)]
     points = np.stack(np.meshgrid(*ticks, indexing="ij"), axis=-1).reshape(-1, 3)
     mesh = gmf.Mesh(points, _tetrahedra(cells))
