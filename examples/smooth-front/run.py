@@ -142,7 +142,7 @@ def save_errors(path, adapted, grids_measured):
     axes.xaxis.set_minor_formatter(picture.plt.NullFormatter())
     axes.set_xticks([10, 20, 40, 80, 160, 320])
     axes.grid(alpha=0.3)
-    axes.legend(frameon=False)
+    axes.legend(frameon=False, loc="lower left")
     axes.spines[["top", "right"]].set_visible(False)
     figure.savefig(path, dpi=120)
 
