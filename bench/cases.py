@@ -19,32 +19,12 @@ import numpy as np
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "examples"))
 import fields  # noqa: E402
 import gmf  # noqa: E402
+import grids  # noqa: E402
 import measures  # noqa: E402
 import outer_loop  # noqa: E402
 
 DOMAINS = {"shock": (-1.0, 1.0), "linear": (0.0, 1.0)}
 DIVISORS = [1.0, 1.7, 2.75, 3.5]  # of the sizes: about 50 k, 230 k, 0.95 M and 2 M tetrahedra
-FACES = [(1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)]
-
-
-def cube(cells, low, high):
-    """A cube of cells^3 boxes of six tetrahedra each; its sides have the references 1 to 6."""
-    ticks = np.linspace(low, high, cells + 1)
-    points = np.stack(np.meshgrid(ticks, ticks, ticks, indexing="ij"), axis=-1).reshape(-1, 3)
-    ids = np.arange(len(points)).reshape(3 * (cells + 1,))
-    corner = lambda offset: ids[tuple(slice(o, cells + o) for o in offset)].ravel()
-    tetrahedra = []
-    for walk in itertools.permutations(np.eye(3, dtype=int)):  # from the lowest corner of a box to its highest
-        path = np.cumsum([np.zeros(3, int), *walk], axis=0)
-        if np.linalg.det(walk) < 0:
-            path = path[[0, 2, 1, 3]]
-        tetrahedra.append(np.stack([corner(offset) for offset in path], axis=1))
-    mesh = gmf.Mesh(points, np.concatenate(tetrahedra))
-    faces = np.concatenate([mesh.tetrahedra[:, face] for face in FACES])
-    sides = [np.all(points[faces][:, :, axis] == end, axis=1) for axis in range(3) for end in (low, high)]
-    mesh.triangles = np.concatenate([faces[side] for side in sides])
-    mesh.triangle_refs = np.repeat(np.arange(1, 7), [side.sum() for side in sides])
-    return mesh
 
 
 def programs(taut):
@@ -59,7 +39,7 @@ def measured(taut, command, case, divisor, grid, adaptations):
     field = lambda points: getattr(fields, case)(points, divisor)
     with tempfile.TemporaryDirectory() as folder:
         start, out = pathlib.Path(folder, "start.meshb"), pathlib.Path(folder, "out.meshb")
-        gmf.write_mesh(start, cube(grid, *DOMAINS[case]))
+        gmf.write_mesh(start, grids.cube(grid, *DOMAINS[case]))
         metric, seconds, peak = outer_loop.run(command, start, field, adaptations, out)
         report = subprocess.run([taut, "quality", out, "--metric", metric, "--json"], check=True, stdout=subprocess.PIPE)
         figures = json.loads(report.stdout)["quality"]

@@ -22,6 +22,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "example
 import cases  # noqa: E402
 import fields  # noqa: E402
 import gmf  # noqa: E402
+import grids  # noqa: E402
 
 PARALLEL = ["build", "geometry", "metric", "cut", "order", "result", "read", "write"]
 
@@ -114,10 +115,10 @@ def main():
     counts = sorted({1, *counts})
     with tempfile.TemporaryDirectory() as folder:
         mesh, metric, out = (pathlib.Path(folder, name) for name in ("0.meshb", "0.solb", "1.meshb"))
-        gmf.write_mesh(mesh, cases.cube(options.grid, *cases.DOMAINS["shock"]))
+        gmf.write_mesh(mesh, grids.cube(options.grid, *cases.DOMAINS["shock"]))
         for title in ("from the grid", "from the mesh of step 1", "from the mesh of step 2, converged"):
             print(f"\n== {title}")
-            gmf.write_metric(metric, fields.shock(gmf.read_mesh(mesh).points, options.divisor))
+            gmf.write_solution(metric, fields.shock(gmf.read_mesh(mesh).points, options.divisor))
             base = measure(options.taut, mesh, metric, out, counts, options.runs, options.block_size)
             print_cost(options.taut, mesh, metric, out.with_name("single.meshb"), options.runs, base)
             mesh.write_bytes(out.read_bytes())

@@ -85,12 +85,11 @@ def write_mesh(path, mesh):
     ])
 
 
-def write_metric(path, metric):
-    """`metric`: sizes, shape (n,), or tensors, shape (n, 3, 3)."""
-    if metric.ndim == 1:
-        kind, values = 1, metric
-    else:
-        kind, values = 3, metric[:, [0, 0, 1, 0, 1, 2], [0, 1, 1, 2, 2, 2]]  # xx, xy, yy, xz, yz, zz
+def write_solution(path, values):
+    """`values` at the vertices: numbers, shape (n,), or tensors, shape (n, 3, 3)."""
+    kind = 1
+    if values.ndim == 3:
+        kind, values = 3, values[:, [0, 0, 1, 0, 1, 2], [0, 1, 1, 2, 2, 2]]  # xx, xy, yy, xz, yz, zz
     _write(path, [(_SOLUTION, _int(len(values)) + _int(1) + _int(kind) + values.astype("<f8").tobytes())])
 
 

@@ -26,7 +26,7 @@ def run(command, start, field, adaptations, out):
     metric = out.with_suffix(".metric.solb")
     mesh, seconds, peak = start, 0.0, 0
     for _ in range(adaptations):
-        gmf.write_metric(metric, field(gmf.read_mesh(mesh).points))
+        gmf.write_solution(metric, field(gmf.read_mesh(mesh).points))
         words = command(mesh, metric, out)
         measure = subprocess.run([sys.executable, "-c", _MEASURE, *words], check=True, stdout=subprocess.PIPE, text=True)
         status, took, held = measure.stdout.split()
@@ -35,5 +35,5 @@ def run(command, start, field, adaptations, out):
         seconds += float(took)
         peak = max(peak, int(held))
         mesh = out
-    gmf.write_metric(metric, field(gmf.read_mesh(mesh).points))
+    gmf.write_solution(metric, field(gmf.read_mesh(mesh).points))
     return metric, seconds, peak

@@ -6,13 +6,14 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.cm import ScalarMappable
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import LinearSegmentedColormap, Normalize
 
 
-QUALITY_COLOURS = LinearSegmentedColormap.from_list("quality", [
-    (0, "#f3f8fc"), (0.12, "#cfe3f2"), (0.25, "#93c4e4"), (0.5, "#3787c0"), (0.8, "#0b3c74"), (1, "#d1495b")])
-QUALITY_RANGE = Normalize(1, 3)
+QUALITY = ScalarMappable(Normalize(1, 3), LinearSegmentedColormap.from_list("quality", [
+    (0, "#f3f8fc"), (0.12, "#cfe3f2"), (0.25, "#93c4e4"), (0.5, "#3787c0"), (0.8, "#0b3c74"), (1, "#d1495b")]))
+SOLUTION = ScalarMappable(Normalize(-1, 1), LinearSegmentedColormap.from_list("solution", ["#7fb2d9", "#fbfaf7", "#e8a06a"]))
 SURFACE = np.array([0.93, 0.90, 0.84])
 INK = "#1d2b3a"
 FRAME = "#e07a1f"
@@ -104,8 +105,8 @@ class Window:
         return np.array([centre - right - up, centre + right - up, centre + right + up, centre - right + up])
 
 
-def draw_cut(axes, mesh, quality, plane, view, line=0.25, window=None):
-    """Draws the part below the plane: its surface shaded, the section coloured by the quality of its tetrahedra.
+def draw_cut(axes, mesh, values, plane, view, line=0.25, window=None, scale=QUALITY):
+    """Draws the part below the plane: its surface shaded, the section coloured by the values of its tetrahedra.
 
     With a window, draws only what lies in it.
     """
@@ -119,7 +120,7 @@ def draw_cut(axes, mesh, quality, plane, view, line=0.25, window=None):
     # The section is drawn last: nothing that remains is between the viewer and it.
     polygons, sources = section(mesh, plane)
     axes.add_collection(PolyCollection(view.flatten(polygons), linewidths=line, edgecolors=INK,
-                                       facecolors=QUALITY_COLOURS(QUALITY_RANGE(quality[sources]))))
+                                       facecolors=scale.to_rgba(values[sources])))
     axes.set_aspect("equal")
     axes.set_axis_off()
     axes.autoscale_view()
@@ -139,10 +140,13 @@ def frame(axes):
 
 
 def quality_bar(figure, axes):
-    bar = figure.colorbar(matplotlib.cm.ScalarMappable(QUALITY_RANGE, QUALITY_COLOURS), ax=axes, shrink=0.6, pad=0.02,
-                          aspect=28, extend="max")
-    bar.set_label("quality Q in the metric (1 is regular)")
-    bar.outline.set_visible(False)
+    bar(figure, axes, QUALITY, "quality Q in the metric (1 is regular)", extend="max")
+
+
+def bar(figure, axes, scale, label, extend="neither"):
+    colours = figure.colorbar(scale, ax=axes, shrink=0.6, pad=0.02, aspect=28, extend=extend)
+    colours.set_label(label)
+    colours.outline.set_visible(False)
 
 
 def save_histograms(path, quality, lengths, title):
