@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/each_once.hpp"
 #include "geometry/frozen.hpp"
 
 namespace taut {
@@ -45,8 +46,7 @@ bool FeatureGraph::is_on_line(VertexId v) const {
 std::vector<PatchId> FeatureGraph::patches_of(FeatureIndex f) const {
   std::vector<PatchId> patches;
   for (const EdgeUse& use : features_[f].uses) patches.push_back(mesh_.triangles[use.triangle].patch);
-  std::ranges::sort(patches);
-  patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
+  keep_each_once(patches);
   return patches;
 }
 

@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/each_once.hpp"
+
 namespace taut {
 namespace {
 
 template <class Id>
 bool contains(const std::vector<Id>& ids, Id id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
-}
-
-template <class Id>
-void keep_each_once(std::vector<Id>& ids) {
-  std::ranges::sort(ids);
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
 }
 
 struct Projection {

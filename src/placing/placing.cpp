@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/each_once.hpp"
 #include "operators/insertion.hpp"
 #include "operators/relocation.hpp"
 #include "operators/vertex_move.hpp"
@@ -61,8 +62,8 @@ std::size_t Placing::crossed() const {
     for (const auto& [i, j] : edge_vertices)
       if (tet.alive() && is_crossed(tet.v[i], tet.v[j]))
         edges.push_back({std::min(tet.v[i], tet.v[j]), std::max(tet.v[i], tet.v[j])});
-  std::ranges::sort(edges);
-  return static_cast<std::size_t>(std::ranges::unique(edges).begin() - edges.begin());
+  keep_each_once(edges);
+  return edges.size();
 }
 
 std::vector<VertexId> Placing::candidates(End end) const {
@@ -73,8 +74,8 @@ std::vector<VertexId> Placing::candidates(End end) const {
       if (!tet.alive() || !is_crossed(a, b)) continue;
       found.push_back((std::abs(values_[a]) <= std::abs(values_[b])) == (end == End::nearer) ? a : b);
     }
-  std::ranges::sort(found, {}, [&](VertexId v) { return std::pair{std::abs(values_[v]), v}; });
-  found.erase(std::ranges::unique(found).begin(), found.end());
+  keep_each_once(found);
+  std::ranges::stable_sort(found, {}, [&](VertexId v) { return std::abs(values_[v]); });
   return found;
 }
 
