@@ -10,7 +10,7 @@ import sys
 library, includes = sys.argv[1], pathlib.Path(sys.argv[2])
 headers = "".join(path.read_text() for path in includes.rglob("*.hpp"))
 text = re.sub(r"^#.*$", "", headers, flags=re.MULTILINE)
-functions = {f"taut::{name}" for name in re.findall(r"TAUT_EXPORT [\w:<> ]*?(\w+)\(", text)}
+functions = {f"taut::{name}" for name in re.findall(r"TAUT_EXPORT [\w:<>\s]*?(\w+)\(", text)}
 errors = {f"typeinfo for taut::{name}" for name in re.findall(r"class TAUT_EXPORT (\w+) :", text)}
 classes = {f"taut::{name}" for name in re.findall(r"class TAUT_EXPORT (\w+) {", text)}
 
