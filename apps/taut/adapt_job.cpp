@@ -62,9 +62,9 @@ void add_surface(CLI::App& command, AdaptOptions& options) {
 
 void require_one_target(const AdaptJob& job) {
   std::vector<std::string_view> found;
-  if (!job.metric.empty()) found.push_back("--metric");
-  if (job.size) found.push_back("--size");
-  if (adapts_to_fields(job)) found.push_back("--field");
+  if (!job.metric.empty()) found.emplace_back("--metric");
+  if (job.size) found.emplace_back("--size");
+  if (adapts_to_fields(job)) found.emplace_back("--field");
   if (found.empty())
     throw InputError("none of --metric, --size and --field found, expected one; see 'taut adapt --help'");
   if (found.size() > 1)
