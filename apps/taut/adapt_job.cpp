@@ -9,6 +9,7 @@
 
 #include "check.hpp"
 #include "files.hpp"
+#include "options.hpp"
 
 namespace taut::program {
 namespace {
@@ -43,15 +44,8 @@ void add_size(CLI::App& command, AdaptJob& job) {
       ->check(positive_number());
 }
 
-void add_surface(CLI::App& command, AdaptOptions& options) {
-  const auto set_surface = [&options](const std::string& word) {
-    options.surface = word == "fixed" ? Surface::fixed : Surface::adapt;
-  };
-  command
-      .add_option_function<std::string>("--surface", set_surface,
-                                        "adapt (the default): remesh planar patches; fixed: keep all triangles")
-      ->type_name("WORD")
-      ->check(one_of("adapt", "fixed"));
+void add_boundary(CLI::App& command, AdaptOptions& options) {
+  add_surface(command, options.surface, "remesh planar patches");
   command
       .add_option("--angle", options.ridge_angle,
                   "an edge is a ridge if the normals of its triangles differ by this or more, in degrees")
@@ -79,7 +73,7 @@ void add_options(CLI::App& command, AdaptJob& job) {
   add_size(command, job);
   add_fields(command, job.field);
   add_limits(command, job.limits);
-  add_surface(command, job.options);
+  add_boundary(command, job.options);
   command
       .add_option("--rounds,--passes", job.options.max_rounds,
                   "at most this many rounds; it stops earlier once they gain little")

@@ -11,6 +11,7 @@
 #include "check.hpp"
 #include "commands.hpp"
 #include "files.hpp"
+#include "options.hpp"
 #include "solution.hpp"
 #include "stopwatch.hpp"
 #include "table.hpp"
@@ -66,14 +67,7 @@ void add_place_rules(CLI::App& command, PlaceJob& job) {
       ->type_name("Q")
       ->capture_default_str()
       ->check(number([](double x) { return x > 1 && std::isfinite(x); }, "a number above 1"));
-  const auto set_surface = [&job](const std::string& word) {
-    job.options.surface = word == "fixed" ? Surface::fixed : Surface::adapt;
-  };
-  command
-      .add_option_function<std::string>(
-          "--surface", set_surface, "adapt (the default): vertices on planar patches move; fixed: keep all triangles")
-      ->type_name("WORD")
-      ->check(one_of("adapt", "fixed"));
+  add_surface(command, job.options.surface, "vertices on planar patches move");
 }
 
 Placed place_files(const PlaceJob& job) {

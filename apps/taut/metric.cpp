@@ -46,14 +46,14 @@ CLI::App* add_kind(CLI::App& metric, Job& job, const std::shared_ptr<MetricJob>&
   return command;
 }
 
-void add_inputs(CLI::App& command, MetricJob& job, const char* name, const char* what) {
-  command.add_option(name, job.inputs, what)->type_name("");
+CLI::Option* add_inputs(CLI::App& command, MetricJob& job, const char* name, const char* what) {
+  return command.add_option(name, job.inputs, what)->type_name("");
 }
 
 void add_fields(CLI::App& command, MetricJob& job) {
   add_inputs(command, job, "FIELDS",
-             "solutions at the vertices, .sol or .solb: scalars, or vectors, of which each component counts");
-  command.get_option("FIELDS")->required();
+             "solutions at the vertices, .sol or .solb: scalars, or vectors, of which each component counts")
+      ->required();
   add_recovery(command, job.recovery);
 }
 
@@ -82,8 +82,7 @@ void add_level_set(CLI::App& metric, Job& job) {
   const auto asked = std::make_shared<MetricJob>();
   CLI::App* command =
       add_kind(metric, job, asked, "levelset", "that resolves the surface where a solution is zero", run_level_set);
-  add_inputs(*command, *asked, "FIELDS", "solutions at the vertices, .sol or .solb");
-  command->get_option("FIELDS")->required();
+  add_inputs(*command, *asked, "FIELDS", "solutions at the vertices, .sol or .solb")->required();
   LevelSetOptions& options = asked->level_set;
   command->add_option("--error", options.error, "size across the surface; the distance to it will be about 0.3 E")
       ->required()
@@ -128,14 +127,12 @@ void add_combinations(CLI::App& metric, Job& job) {
   const auto both = std::make_shared<MetricJob>();
   CLI::App* command =
       add_kind(metric, job, both, "intersect", "the largest sizes that no metric forbids", run_intersect);
-  add_inputs(*command, *both, "METRICS", "sizes or tensors at the vertices, .sol or .solb");
-  command->get_option("METRICS")->required();
+  add_inputs(*command, *both, "METRICS", "sizes or tensors at the vertices, .sol or .solb")->required();
   add_limits(*command, both->limits);
   const auto graded = std::make_shared<MetricJob>();
   command =
       add_kind(metric, job, graded, "gradate", "limits on another metric: growth, sizes, anisotropy", run_intersect);
-  add_inputs(*command, *graded, "METRIC", "sizes or tensors at the vertices, .sol or .solb");
-  command->get_option("METRIC")->required()->expected(1);
+  add_inputs(*command, *graded, "METRIC", "sizes or tensors at the vertices, .sol or .solb")->required()->expected(1);
   add_limits(*command, graded->limits);
 }
 

@@ -41,6 +41,17 @@ CLI::Option* add_method(CLI::App& command, const char* name, Transfer& method) {
       ->check(one_of(word_of(Transfer::conservative), word_of(Transfer::linear)));
 }
 
+void add_surface(CLI::App& command, Surface& surface, const std::string& adapt) {
+  const auto set_surface = [&surface](const std::string& word) {
+    surface = word == "fixed" ? Surface::fixed : Surface::adapt;
+  };
+  command
+      .add_option_function<std::string>("--surface", set_surface,
+                                        "adapt (the default): " + adapt + "; fixed: keep all triangles")
+      ->type_name("WORD")
+      ->check(one_of("adapt", "fixed"));
+}
+
 const char* word_of(Recovery recovery) {
   return recovery == Recovery::double_projection ? "projection" : "least-squares";
 }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
 
 #include "taut/sizing.hpp"
+#include "taut/surface.hpp"
 #include "taut/transfer.hpp"
 
 namespace taut::program {
@@ -19,6 +21,9 @@ CLI::Option* add_recovery(CLI::App& command, Recovery& recovery);
 
 /// The option that chooses how fields get to another mesh; `name` is what the command calls it.
 CLI::Option* add_method(CLI::App& command, const char* name, Transfer& method);
+
+/// The option --surface; `adapt` says what the word adapt, the default, means.
+void add_surface(CLI::App& command, Surface& surface, const std::string& adapt);
 
 /// The word for it on the command line.
 [[nodiscard]] const char* word_of(Recovery recovery);

@@ -24,4 +24,10 @@ std::vector<TetId> last_tet_of_points(std::span<const std::array<Index, 4>> tets
   return std::move(found);
 }
 
+Buckets<Index> tets_of_points(std::span<const std::array<Index, 4>> tets, std::size_t points) {
+  return gather<Index>(tets.size(), points, [&](std::size_t t, auto put) {
+    for (const Index p : tets[t]) put(p, static_cast<Index>(t));
+  });
+}
+
 }  // namespace taut

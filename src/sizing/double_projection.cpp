@@ -6,6 +6,7 @@
 #include "base/sym3.hpp"
 #include "mesh/edges.hpp"
 #include "mesh/faces.hpp"
+#include "mesh/incidence.hpp"
 #include "sizing/neighbourhood.hpp"
 
 namespace taut {
@@ -33,9 +34,7 @@ Gradients weighted_gradients(const Mesh& mesh, const std::array<Index, 4>& tet) 
 /// Means of the gradients of n fields, which lie one after another at each point.
 template <std::size_t n>
 std::vector<std::array<Vec3, n>> mean_gradients(const Mesh& mesh, std::span<const std::array<double, n>> fields) {
-  const auto tets_of_point = gather<Index>(mesh.tetrahedra.size(), mesh.points.size(), [&](std::size_t t, auto put) {
-    for (const Index v : mesh.tetrahedra[t]) put(v, static_cast<Index>(t));
-  });
+  const auto tets_of_point = tets_of_points(mesh.tetrahedra, mesh.points.size());
   std::vector<std::array<Vec3, n>> means(mesh.points.size());
   for_each_index(means.size(), [&](std::size_t v) {
     double volume = 0;

@@ -13,6 +13,7 @@
 #include "metric/field.hpp"
 #include "metric/intersection.hpp"
 #include "sizing/growth.hpp"
+#include "sizing/neighbourhood.hpp"
 #include "taut/error.hpp"
 
 namespace taut {
@@ -41,14 +42,6 @@ bool is_stronger(const Sym3& a, const Sym3& b) {
   return trace(a) != trace(b) ? trace(a) > trace(b) : a > b;
 }
 
-Buckets<Index> neighbours_of_vertices(std::size_t vertices, std::span<const Edge> edges) {
-  return gather<Index>(edges.size(), vertices, [&](std::size_t e, auto put) {
-    const auto& [p, q] = edges[e];
-    put(p, q);
-    put(q, p);
-  });
-}
-
 /// Rounds in which some vertices demand and all their neighbours answer, from the metrics before the round, so that
 /// the vertices can answer in any order. As in Dijkstra's shortest paths, the smallest sizes demand first: what they
 /// demand is almost final.
@@ -59,7 +52,7 @@ public:
       : points_(points),
         growth_(gradation),
         metrics_(std::move(metrics)),
-        neighbours_(neighbours_of_vertices(points.size(), edges)),
+        neighbours_(neighbours_of_vertices(edges, points.size())),
         place_(points.size(), none),
         is_waiting_(points.size(), false),
         is_asked_(points.size(), false) {}

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/buckets.hpp"
 #include "base/parallel.hpp"
 #include "mesh/door.hpp"
+#include "mesh/incidence.hpp"
 #include "metric/spectral.hpp"
 #include "sizing/limits.hpp"
 #include "taut/sizing.hpp"
@@ -39,9 +39,7 @@ Tensors implied_metric(const Mesh& mesh) {
   require_sound_arrays(mesh);
   std::vector<Weighted> logs(mesh.tetrahedra.size());
   for_each_index(logs.size(), [&](std::size_t t) { logs[t] = weighted_log(mesh, t); });
-  const auto tets_of_point = gather<Index>(logs.size(), mesh.points.size(), [&](std::size_t t, auto put) {
-    for (const Index p : mesh.tetrahedra[t]) put(p, static_cast<Index>(t));
-  });
+  const auto tets_of_point = tets_of_points(mesh.tetrahedra, mesh.points.size());
   const Sym3 coarsest = metric_of_size(within_domain(mesh, {}).hmax);
   Tensors metric(mesh.points.size());
   for_each_index(metric.size(), [&](std::size_t p) {

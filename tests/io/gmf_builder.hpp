@@ -16,6 +16,7 @@
 #include "io/fields.hpp"
 #include "io/gmf_file.hpp"
 #include "io/read_mesh.hpp"
+#include "mesh/expect_equal.hpp"
 #include "taut/io.hpp"
 
 namespace taut::test {
@@ -133,23 +134,6 @@ inline Mesh two_tets() {
   mesh.required_triangles = {2};
   mesh.required_tetrahedra = {1};
   return mesh;
-}
-
-inline void expect_equal(const Mesh& a, const Mesh& b) {
-  EXPECT_EQ(a.points, b.points);
-  EXPECT_EQ(a.point_refs, b.point_refs);
-  EXPECT_EQ(a.tetrahedra, b.tetrahedra);
-  EXPECT_EQ(a.tetrahedron_refs, b.tetrahedron_refs);
-  EXPECT_EQ(a.triangles, b.triangles);
-  EXPECT_EQ(a.triangle_refs, b.triangle_refs);
-  EXPECT_EQ(a.edges, b.edges);
-  EXPECT_EQ(a.edge_refs, b.edge_refs);
-  EXPECT_EQ(a.corners, b.corners);
-  EXPECT_EQ(a.required_points, b.required_points);
-  EXPECT_EQ(a.ridges, b.ridges);
-  EXPECT_EQ(a.required_edges, b.required_edges);
-  EXPECT_EQ(a.required_triangles, b.required_triangles);
-  EXPECT_EQ(a.required_tetrahedra, b.required_tetrahedra);
 }
 
 /// A directory of its own for each test, removed at the end.

@@ -127,8 +127,7 @@ TEST_F(AdaptField, NotesThatAFixedSurfaceKeepsTheMeshFromItsSize) {
   };
   const Outcome fixed = with("fixed");
   EXPECT_EQ(fixed.status, 0);
-  EXPECT_TRUE(mentions(fixed.err, "tetrahedra instead of about 210, because of the triangles that stay"))
-      << fixed.err;
+  EXPECT_TRUE(mentions(fixed.err, "tetrahedra instead of about 210, because of the triangles that stay")) << fixed.err;
   EXPECT_EQ(with("adapt").err, "");
 }
 

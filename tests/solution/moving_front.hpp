@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "mesh/expect_equal.hpp"
 #include "taut/unsteady.hpp"
 #include "transfer/meshes.hpp"
 
@@ -40,23 +41,9 @@ inline UnsteadyOptions front_options() {
   return {.times = {0, 0.3, 0.6, 1}, .iterations = 2, .sizing = {.complexity = 12 * 200, .limits = {.hmax = 0.5}}};
 }
 
-inline void expect_same_mesh(const Mesh& a, const Mesh& b) {
-  EXPECT_EQ(a.points, b.points);
-  EXPECT_EQ(a.point_refs, b.point_refs);
-  EXPECT_EQ(a.tetrahedra, b.tetrahedra);
-  EXPECT_EQ(a.tetrahedron_refs, b.tetrahedron_refs);
-  EXPECT_EQ(a.triangles, b.triangles);
-  EXPECT_EQ(a.triangle_refs, b.triangle_refs);
-  EXPECT_EQ(a.edges, b.edges);
-  EXPECT_EQ(a.edge_refs, b.edge_refs);
-  EXPECT_EQ(a.corners, b.corners);
-  EXPECT_EQ(a.ridges, b.ridges);
-  EXPECT_EQ(a.required_points, b.required_points);
-}
-
 inline void expect_same_result(const UnsteadyResult& a, const UnsteadyResult& b) {
   ASSERT_EQ(a.meshes.size(), b.meshes.size());
-  for (std::size_t i = 0; i < a.meshes.size(); ++i) expect_same_mesh(*a.meshes[i], *b.meshes[i]);
+  for (std::size_t i = 0; i < a.meshes.size(); ++i) expect_equal(*a.meshes[i], *b.meshes[i]);
   ASSERT_EQ(a.state.size(), b.state.size());
   for (std::size_t f = 0; f < a.state.size(); ++f) EXPECT_EQ(a.state[f].values, b.state[f].values);
   EXPECT_EQ(a.iterations.back().complexity, b.iterations.back().complexity);
