@@ -50,11 +50,4 @@ std::vector<double> read_scalar(const std::string& file, std::size_t points) {
   return std::move(fields[0].values);
 }
 
-Field field_of(const Tensors& tensors) {
-  Field field{.kind = Field::Kind::tensor, .values = {}};
-  field.values.reserve(6 * tensors.size());
-  for (const Tensor& m : tensors) field.values.insert(field.values.end(), m.begin(), m.end());
-  return field;
-}
-
 }  // namespace taut::program

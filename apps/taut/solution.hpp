@@ -20,7 +20,4 @@ namespace taut::program {
 /// The only number that stands at the vertices in the file. Throws InputError if there are more.
 [[nodiscard]] std::vector<double> read_scalar(const std::string& file, std::size_t points);
 
-/// A tensor field for write_solution().
-[[nodiscard]] Field field_of(const Tensors& tensors);
-
 }  // namespace taut::program

@@ -4,6 +4,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "taut/error.hpp"
+#include "taut/export.hpp"
+#include "taut/metric.hpp"
+
 namespace taut {
 
 /// One solution field at the vertices of a mesh. `values` holds `size()` numbers per vertex: vectors in the order of
@@ -28,5 +32,12 @@ struct Field {
     return numbers;
   }
 };
+
+/// The tensors as a field, as write_solution() and transfer() take it.
+[[nodiscard]] TAUT_EXPORT Field field_of(const Tensors& tensors);
+
+/// The tensors of a tensor field, as metrics and Hessians are given. Throws InputError for a field of another kind, and
+/// if there are not six numbers per vertex.
+[[nodiscard]] TAUT_EXPORT Tensors tensors_of(const Field& field);
 
 }  // namespace taut

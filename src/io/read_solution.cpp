@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "io/fields.hpp"
 #include "io/open_block.hpp"
 
@@ -40,9 +38,7 @@ Metric metric_of(Field&& field, const GmfFile& file) {
   if (field.kind == Field::Kind::vector) {
     file.fail("a vector field found, a metric is one scalar or one tensor field");
   }
-  Tensors tensors(field.values.size() / field.size());
-  for (std::size_t i = 0; i < tensors.size(); ++i) std::copy_n(&field.values[6 * i], 6, tensors[i].begin());
-  return tensors;
+  return tensors_of(field);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <fstream>
 #include <limits>
 #include <locale>
@@ -47,12 +46,6 @@ Summary read_summary(const std::filesystem::path& path) {
   return summary;
 }
 
-Field tensor_field(const Tensors& tensors) {
-  Field field{.kind = Field::Kind::tensor, .values = {}};
-  for (const Tensor& t : tensors) field.values.insert(field.values.end(), t.begin(), t.end());
-  return field;
-}
-
 std::vector<Field> fields_in(const std::filesystem::path& path, std::size_t points) {
   std::vector<Field> fields = read_solution(path);
   for (const Field& field : fields)
@@ -66,9 +59,7 @@ Tensors tensors_in(const std::filesystem::path& path, std::size_t points) {
   const std::vector<Field> fields = fields_in(path, points);
   if (fields.size() != 1 || fields[0].kind != Field::Kind::tensor)
     throw InputError(fmt::format("{}: expected one tensor field", path.string()));
-  Tensors tensors(points);
-  for (std::size_t v = 0; v < points; ++v) std::copy_n(&fields[0].values[6 * v], 6, tensors[v].begin());
-  return tensors;
+  return tensors_of(fields[0]);
 }
 
 }  // namespace
@@ -121,7 +112,7 @@ void Checkpoint::write_meshes(const UnsteadyProgress& progress) const {
 void Checkpoint::write_last(const UnsteadyProgress& progress) const {
   if (folder_.empty()) return;
   const std::size_t last = progress.done.size() - 1;
-  write_solution(file("hessian", progress.iteration, last, ".solb"), {tensor_field(progress.done[last].hessian)});
+  write_solution(file("hessian", progress.iteration, last, ".solb"), {field_of(progress.done[last].hessian)});
   write_solution(file("state", progress.iteration, last, ".solb"), progress.state);
   write_summary(progress);
 }
