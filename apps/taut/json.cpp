@@ -9,10 +9,6 @@
 namespace taut::program {
 namespace {
 
-Json null_if_empty(const std::string& text) {
-  return text.empty() ? Json() : Json(text);
-}
-
 Json null_if_none(const std::optional<double>& number) {
   return number ? Json(*number) : Json();
 }
@@ -45,6 +41,10 @@ void add_lengths(Json& json, const Quality& q) {
 }
 
 }  // namespace
+
+Json null_if_empty(const std::string& text) {
+  return text.empty() ? Json() : Json(text);
+}
 
 Json json_of(const Quality& q, bool in_metric) {
   Json json = {{"vertices", q.vertices},
@@ -92,7 +92,7 @@ Json json_of(const AdaptJob& job) {
           {"field_out", null_if_empty(job.field.output)},
           {"options",
            {{"size", null_if_none(job.size)},
-            {"surface", o.surface == Surface::fixed ? "fixed" : "adapt"},
+            {"surface", word_of(o.surface)},
             {"hmin", job.limits.bounds.hmin},
             {"hmax", job.limits.bounds.hmax},
             {"anisotropy", job.limits.bounds.anisotropy},

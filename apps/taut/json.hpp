@@ -13,6 +13,9 @@ namespace taut::program {
 
 using Json = nlohmann::ordered_json;
 
+/// The name of a file, or null if there is none.
+[[nodiscard]] Json null_if_empty(const std::string& text);
+
 /// Histograms are lists of {from, to, count}; `to` of the last is null. What needs a metric is left out without one.
 [[nodiscard]] Json json_of(const Quality& quality, bool in_metric);
 

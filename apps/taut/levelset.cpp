@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,13 +24,6 @@ struct Extracted {
   std::optional<SurfaceDistance> distance;
 };
 
-void require_surface(const ExtractJob& job, const SurfaceMesh& surface, const std::vector<double>& values) {
-  if (!surface.triangles.empty()) return;
-  const auto [least, greatest] = std::ranges::minmax(values);
-  throw InputError(fmt::format("{}: no surface at the level {} found: the values range from {} to {}", job.field,
-                               job.level, least, greatest));
-}
-
 Extracted extract(const ExtractJob& job) {
   const Mesh mesh = read_mesh(job.input);
   const std::vector<double> values = read_scalar(job.field, mesh.points.size());
@@ -39,7 +31,7 @@ Extracted extract(const ExtractJob& job) {
   if (!job.compare.empty()) other = read_surface(job.compare);
   Extracted result;
   result.surface = with_files(job.input, job.field, [&] { return isosurface(mesh, values, job.level).surface; });
-  require_surface(job, result.surface, values);
+  if (result.surface.triangles.empty()) throw no_surface(job.field, job.level, values);
   result.measures = measure(result.surface);
   if (!other) return result;
   if (other->triangles.empty()) throw InputError(fmt::format("{}: no triangles found", job.compare));
@@ -64,7 +56,7 @@ Json extract_json(const ExtractJob& job, const Extracted& found) {
                      {"area", m.area},
                      {"open_edges", m.open_edges},
                      {"volume", m.open_edges == 0 ? Json(m.volume) : Json()}};
-  json["compare"] = job.compare.empty() ? Json() : Json(job.compare);
+  json["compare"] = null_if_empty(job.compare);
   if (!found.distance) return json;
   json["distance"] = {{"to_other", deviation_json(found.distance->from_first)},
                       {"from_other", deviation_json(found.distance->from_second)},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -11,6 +12,7 @@
 #include "check.hpp"
 #include "commands.hpp"
 #include "files.hpp"
+#include "json.hpp"
 #include "options.hpp"
 #include "solution.hpp"
 #include "stopwatch.hpp"
@@ -27,8 +29,8 @@ constexpr const char* place_examples =
 
 struct PlaceJob {
   std::string input, field, output;
-  std::string metric;                  ///< empty: the one that the mesh implies
-  std::string metric_out, values_out;  ///< empty: not written
+  std::string metric;                          ///< empty: the one that the mesh implies
+  std::string report, metric_out, values_out;  ///< empty: not written
   double level = 0;
   PlaceOptions options;
   bool quiet = false;
@@ -53,6 +55,7 @@ void add_place_files(CLI::App& command, PlaceJob& job) {
                   "file for the field at the vertices of OUT, less the level: exactly 0 "
                   "at the vertices on the surface")
       ->type_name("SOL");
+  command.add_option("--report", job.report, "file for a report, .json")->type_name("FILE");
 }
 
 void add_place_rules(CLI::App& command, PlaceJob& job) {
@@ -68,22 +71,52 @@ void add_place_rules(CLI::App& command, PlaceJob& job) {
       ->capture_default_str()
       ->check(number([](double x) { return x > 1 && std::isfinite(x); }, "a number above 1"));
   add_surface(command, job.options.surface, "vertices on planar patches move");
+  add_angle(command, job.options.ridge_angle);
+}
+
+bool takes(const std::vector<double>& values, double level) {
+  const auto [least, greatest] = std::ranges::minmax(values);
+  return least <= level && level <= greatest;
 }
 
 Placed place_files(const PlaceJob& job) {
   const Mesh mesh = read_mesh(job.input);
-  std::vector<double> values = read_scalar(job.field, mesh.points.size());
+  const std::vector<double> field = read_scalar(job.field, mesh.points.size());
+  std::vector<double> values = field;
   for (double& value : values) value -= job.level;
-  return with_files(job.input, {{"metric: ", job.metric}, {"field: ", job.field}}, [&] {
+  Placed placed = with_files(job.input, {{"metric: ", job.metric}, {"field: ", job.field}}, [&] {
     const Metric metric = job.metric.empty() ? Metric{implied_metric(mesh)} : read_metric(job.metric);
     return place_on_level_set(mesh, metric, values, job.options);
   });
+  if (!takes(field, job.level)) throw no_surface(job.field, job.level, field);
+  return placed;
+}
+
+Json place_json(const PlaceJob& job, const Placed& placed) {
+  const PlaceOptions& o = job.options;
+  Json json = {{"taut", TAUT_VERSION},
+               {"input", job.input},
+               {"field", job.field},
+               {"metric", null_if_empty(job.metric)},
+               {"output", job.output},
+               {"metric_out", null_if_empty(job.metric_out)},
+               {"values_out", null_if_empty(job.values_out)},
+               {"level", job.level}};
+  json["options"] = {{"deviation", o.deviation > 0 ? Json(o.deviation) : Json()},
+                     {"q_max", o.Q_max},
+                     {"surface", word_of(o.surface)},
+                     {"angle", o.ridge_angle}};
+  json.update({{"moved", placed.moved}, {"inserted", placed.inserted}, {"crossed", placed.crossed}});
+  json["on_surface"] = std::ranges::count(placed.values, 0.0);
+  json["quality"] = json_of(placed.adapted.report.quality, true);
+  return json;
 }
 
 void write_placed(const PlaceJob& job, const Placed& placed) {
   if (!job.metric_out.empty()) write_solution(job.metric_out, {field_of(placed.adapted.metric)});
   if (!job.values_out.empty()) write_solution(job.values_out, {{.kind = Field::Kind::scalar, .values = placed.values}});
   write_mesh(job.output, placed.adapted.mesh);
+  if (!job.report.empty()) write_text(job.report, text_of(place_json(job, placed)));
 }
 
 void run_place(const PlaceJob& job) {
@@ -91,6 +124,7 @@ void run_place(const PlaceJob& job) {
   require_output(job.output, mesh_files);
   require_output(job.metric_out, solution_files);
   require_output(job.values_out, solution_files);
+  require_output(job.report, report_files);
   require_different("--metric-out", job.metric_out, "--values-out", job.values_out);
   const Placed placed = place_files(job);
   write_placed(job, placed);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -48,6 +49,12 @@ std::vector<double> read_scalar(const std::string& file, std::size_t points) {
   if (fields[0].kind != Field::Kind::scalar)
     throw InputError(fmt::format("{}: {} numbers per vertex found, expected one", file, fields[0].size()));
   return std::move(fields[0].values);
+}
+
+InputError no_surface(const std::string& file, double level, std::span<const double> values) {
+  const auto [least, greatest] = std::ranges::minmax(values);
+  return InputError(fmt::format("{}: no surface at the level {} found: the values range from {} to {}", file, level,
+                                least, greatest));
 }
 
 }  // namespace taut::program

@@ -20,4 +20,7 @@ namespace taut::program {
 /// The only number that stands at the vertices in the file. Throws InputError if there are more.
 [[nodiscard]] std::vector<double> read_scalar(const std::string& file, std::size_t points);
 
+/// The error of a file whose values nowhere take the level.
+[[nodiscard]] InputError no_surface(const std::string& file, double level, std::span<const double> values);
+
 }  // namespace taut::program
