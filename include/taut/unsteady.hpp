@@ -28,8 +28,10 @@ public:
   std::shared_ptr<const Mesh> mesh;  ///< on which it works; not null
   std::vector<Field> state;          ///< at the points of the mesh: at `begin`; the solver leaves that at `end`
 
-  /// The solver calls this after each of its time steps, with the scalar that decides on the mesh, at the points of the
-  /// mesh, and the length of the step. Throws InputError as recover_hessian() does.
+  /// The solver calls this once in each of its time steps, with the scalar that decides on the mesh, at the points of
+  /// the mesh, and the length of the step. The scalar stands for the whole step, so that from its middle is best: if
+  /// all are from the ends, nothing tells of the beginning of the sub-interval. Throws InputError as recover_hessian()
+  /// does.
   void sample(std::span<const double> values, double dt);
 
   HessianInTime collected;                      ///< what sample() collects
