@@ -46,12 +46,7 @@ void add_size(CLI::App& command, AdaptJob& job) {
 
 void add_boundary(CLI::App& command, AdaptOptions& options) {
   add_surface(command, options.surface, "remesh planar patches");
-  command
-      .add_option("--angle", options.ridge_angle,
-                  "an edge is a ridge if the normals of its triangles differ by this or more, in degrees")
-      ->type_name("DEG")
-      ->capture_default_str()
-      ->check(number([](double x) { return x > 0 && x < 180; }, "degrees between 0 and 180"));
+  add_ridge_angle(command, options.ridge_angle);
 }
 
 void require_one_target(const AdaptJob& job) {

@@ -52,6 +52,15 @@ void add_surface(CLI::App& command, Surface& surface, const std::string& adapt) 
       ->check(one_of("adapt", "fixed"));
 }
 
+void add_ridge_angle(CLI::App& command, double& degrees) {
+  command
+      .add_option("--angle", degrees,
+                  "an edge is a ridge if the normals of its triangles differ by this or more, in degrees")
+      ->type_name("DEG")
+      ->capture_default_str()
+      ->check(number([](double x) { return x > 0 && x < 180; }, "degrees between 0 and 180"));
+}
+
 const char* word_of(Recovery recovery) {
   return recovery == Recovery::double_projection ? "projection" : "least-squares";
 }

@@ -25,6 +25,9 @@ CLI::Option* add_method(CLI::App& command, const char* name, Transfer& method);
 /// The option --surface; `adapt` says what the word adapt, the default, means.
 void add_surface(CLI::App& command, Surface& surface, const std::string& adapt);
 
+/// The option --angle.
+void add_ridge_angle(CLI::App& command, double& degrees);
+
 /// The word for it on the command line.
 [[nodiscard]] const char* word_of(Recovery recovery);
 [[nodiscard]] const char* word_of(Transfer method);
