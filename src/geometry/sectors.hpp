@@ -19,7 +19,7 @@ struct Sectors {
   std::vector<std::array<std::uint32_t, 3>> of_triangle;  ///< the sectors at the corners of each triangle
 };
 
-/// The sectors that the features named `sharp` part. `features` are those of the surface, ascending.
+/// The sectors that the sharp ones among `features` part, which are those of the surface, ascending.
 [[nodiscard]] Sectors find_sectors(const TetMesh& mesh, const std::vector<EdgeUse>& uses,
                                    std::vector<Feature> features);
 
