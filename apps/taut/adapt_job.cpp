@@ -46,7 +46,7 @@ void add_size(CLI::App& command, AdaptJob& job) {
 
 void add_boundary(CLI::App& command, AdaptOptions& options) {
   add_surface(command, options.surface, "remesh planar patches");
-  add_angle(command, options.ridge_angle);
+  add_ridge_angle(command, options.ridge_angle);
 }
 
 void require_one_target(const AdaptJob& job) {

@@ -71,7 +71,7 @@ void add_place_rules(CLI::App& command, PlaceJob& job) {
       ->capture_default_str()
       ->check(number([](double x) { return x > 1 && std::isfinite(x); }, "a number above 1"));
   add_surface(command, job.options.surface, "vertices on planar patches move");
-  add_angle(command, job.options.ridge_angle);
+  add_ridge_angle(command, job.options.ridge_angle);
 }
 
 bool takes(const std::vector<double>& values, double level) {

@@ -21,6 +21,7 @@ constexpr const char* metric_examples =
     "  taut metric lp wing.meshb mach.solb --complexity 50000 -o metric.solb\n"
     "  taut metric lp wing.meshb mach.solb density.solb --complexity 50000 --norm 4 --hmin 1e-4 -o metric.solb\n"
     "  taut metric error wing.meshb mach.solb --error 0.01 --gradation 1.5 -o metric.solb\n"
+    "  taut metric curvature wing.meshb --deviation 1e-3 --gradation 1.5 -o metric.solb\n"
     "  taut metric implied wing.meshb -o metric.solb";
 
 using Work = std::function<void(const MetricJob&, const Mesh&)>;
@@ -108,6 +109,28 @@ void add_level_set(CLI::App& metric, Job& job) {
   add_limits(*command, asked->limits);
 }
 
+void add_curvature(CLI::App& metric, Job& job) {
+  const auto asked = std::make_shared<MetricJob>();
+  CLI::App* command =
+      add_kind(metric, job, asked, "curvature", "that resolves the curved parts of the mesh's surface", run_curvature);
+  CurvatureOptions& options = asked->curvature;
+  command
+      ->add_option("--deviation", options.deviation,
+                   "how far edges may be from the surface between their ends, in the unit of the mesh")
+      ->required()
+      ->type_name("D")
+      ->check(positive_number());
+  command->add_flag("--relative", options.relative, "D is a share of the diagonal of the mesh's bounding box");
+  command
+      ->add_option("--turn", options.turn,
+                   "degrees by which the surface turns at most along an edge, whatever the deviation")
+      ->type_name("DEG")
+      ->capture_default_str()
+      ->check(number([](double x) { return x > 0 && x <= 90; }, "degrees above 0, at most 90"));
+  add_ridge_angle(*command, options.ridge_angle);
+  add_limits(*command, asked->limits);
+}
+
 void add_plain_kinds(CLI::App& metric, Job& job) {
   const auto hessian = std::make_shared<MetricJob>();
   add_fields(
@@ -145,6 +168,7 @@ void add_metric(CLI::App& app, Job& job) {
   add_lp(*metric, job);
   add_error(*metric, job);
   add_level_set(*metric, job);
+  add_curvature(*metric, job);
   add_plain_kinds(*metric, job);
   add_combinations(*metric, job);
 }

@@ -74,6 +74,12 @@ void run_level_set(const MetricJob& job, const Mesh& mesh) {
   write_metric(job, mesh, limited(mesh, intersection_of(metrics), limits_of(job.limits)));
 }
 
+void run_curvature(const MetricJob& job, const Mesh& mesh) {
+  CurvatureOptions options = job.curvature;
+  options.limits = limits_of(job.limits);
+  write_metric(job, mesh, with_files(job.mesh, "", [&] { return curvature_metric(mesh, options); }));
+}
+
 void run_hessian(const MetricJob& job, const Mesh& mesh) {
   std::vector<Field> fields;
   for (const Tensors& hessian : hessians_of(job, mesh)) fields.push_back(field_of(hessian));

@@ -14,8 +14,9 @@ struct MetricJob {
   std::string mesh, output;
   std::vector<std::string> inputs;  ///< solutions or metrics
   AskedLimits limits;
-  LpOptions lp;               ///< without the limits
-  LevelSetOptions level_set;  ///< without the limits
+  LpOptions lp;                ///< without the limits
+  LevelSetOptions level_set;   ///< without the limits
+  CurvatureOptions curvature;  ///< without the limits
   double error = 0, level = 0;
   std::optional<double> size;
   Recovery recovery = Recovery::least_squares;
@@ -27,6 +28,7 @@ struct MetricJob {
 void run_lp(const MetricJob& job, const Mesh& mesh);
 void run_error(const MetricJob& job, const Mesh& mesh);
 void run_level_set(const MetricJob& job, const Mesh& mesh);
+void run_curvature(const MetricJob& job, const Mesh& mesh);
 void run_hessian(const MetricJob& job, const Mesh& mesh);
 void run_implied(const MetricJob& job, const Mesh& mesh);
 void run_size(const MetricJob& job, const Mesh& mesh);

@@ -52,7 +52,7 @@ void add_surface(CLI::App& command, Surface& surface, const std::string& adapt) 
       ->check(one_of("adapt", "fixed"));
 }
 
-void add_angle(CLI::App& command, double& degrees) {
+void add_ridge_angle(CLI::App& command, double& degrees) {
   command
       .add_option("--angle", degrees,
                   "an edge is a ridge if the normals of its triangles differ by this or more, in degrees")

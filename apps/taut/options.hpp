@@ -26,7 +26,7 @@ CLI::Option* add_method(CLI::App& command, const char* name, Transfer& method);
 void add_surface(CLI::App& command, Surface& surface, const std::string& adapt);
 
 /// The option --angle.
-void add_angle(CLI::App& command, double& degrees);
+void add_ridge_angle(CLI::App& command, double& degrees);
 
 /// The word for it on the command line.
 [[nodiscard]] const char* word_of(Recovery recovery);

@@ -81,6 +81,33 @@ struct LevelSetOptions {
 [[nodiscard]] TAUT_EXPORT Tensors level_set_metric(const Mesh& mesh, std::span<const double> values,
                                                    const LevelSetOptions& options);
 
+/// How finely the surface of a mesh is resolved.
+struct CurvatureOptions {
+  /// Above 0: how far an edge of the wanted size may be from the circle of curvature in its direction.
+  double deviation = 0;
+  bool relative = false;  ///< whether `deviation` is a share of the diagonal of the bounding box
+  double turn = 60;  ///< degrees, above 0 and at most 90: by which the surface turns at most along an edge, whatever
+                     ///< the deviation
+  double ridge_angle = 45;  ///< degrees, as in AdaptOptions: the surface is not smooth there
+  Limits limits{};  ///< hmax is the size where nothing is curved, gradation says how sizes grow from the surface
+};
+
+/// The metric that resolves the curvature of the surface of `mesh`: of its boundary and of the triangles inside, given
+/// or missing. At a vertex of the surface the size in a direction of principal curvature k = 1 / R is the chord that is
+/// `deviation` from a circle of radius R, 2 sqrt(deviation (2 R - deviation)) or about sqrt(8 deviation R); a triangle
+/// with such edges on a sphere is a third farther away. Across the surface the size is the smaller of the two. Where
+/// the surface is planar, and at vertices inside, it is hmax.
+///
+/// The larger size is at most 1.2 sqrt(R h), h the smaller one: otherwise the long edges would leave the surface by as
+/// much as the short ones are long, and triangles would stand across it (Schwarz's lantern).
+///
+/// Curvatures are those of polynomials fitted to the vertices within three edges. They are one-sided at edges where the
+/// normals differ by `ridge_angle` or more or references differ, that are ridges of `mesh`, or that do not belong to
+/// two triangles: there the metric is the intersection of those on all sides. Other given edges part nothing.
+///
+/// Throws InputError for a mesh that cannot be used and for options that make no sense.
+[[nodiscard]] TAUT_EXPORT Tensors curvature_metric(const Mesh& mesh, const CurvatureOptions& options);
+
 /// The metric in which the edges of `mesh` have about unit length: that of each tetrahedron, in which its six edges
 /// have length 1, averaged at the points, log-Euclidean, weighted by volume. A point that belongs to no tetrahedron
 /// takes the size of the bounding box.

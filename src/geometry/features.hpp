@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/surface_edges.hpp"
@@ -24,6 +25,19 @@ struct Features {
   std::vector<Feature> surface;  ///< in ascending order of their edges
   std::vector<Feature> inner;    ///< edges of the input that are on no triangle
 };
+
+/// Calls visit(s, t) with the uses of each edge that is not among `features`, which are ascending and hold every edge
+/// at which not two triangles meet.
+template <class Visit>
+void for_each_smooth_edge(const std::vector<EdgeUse>& uses_of_edges, std::span<const Feature> features, Visit visit) {
+  auto feature = features.begin();
+  for_each_edge(uses_of_edges, [&](std::span<const EdgeUse> uses) {
+    if (feature != features.end() && feature->edge == uses[0].edge)
+      ++feature;
+    else
+      visit(uses[0], uses[1]);
+  });
+}
 
 /// Feature edges are: edges of the input; edges where other than two triangles meet, or two of different reference, or
 /// two whose normals differ by `ridge_angle` degrees or more; edges between required triangles (`required` is not 0)

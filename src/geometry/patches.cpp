@@ -1,41 +1,22 @@
 #include "geometry/patches.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "base/disjoint_sets.hpp"
 
 namespace taut {
 namespace {
 
-using Pair = std::array<TriangleId, 2>;
-
-// Triangles that no feature parts. Both lists of edges are ascending.
-std::vector<Pair> joined_triangles(const std::vector<EdgeUse>& uses_of_edges, std::span<const Feature> features) {
-  std::vector<Pair> joined;
-  auto feature = features.begin();
-  for_each_edge(uses_of_edges, [&](std::span<const EdgeUse> uses) {
-    if (feature != features.end() && feature->edge == uses[0].edge)
-      ++feature;
-    else
-      joined.push_back({uses[0].triangle, uses[1].triangle});
-  });
-  return joined;
-}
-
-// Union-find; the smallest triangle of a set is its root.
-std::vector<TriangleId> roots(std::size_t triangles, std::span<const Pair> joined) {
-  std::vector<TriangleId> parent;
-  for (const TriangleId t : ids<TriangleId>(triangles)) parent.push_back(t);
-  const auto root = [&](TriangleId t) {
-    while (parent[t] != t) t = parent[t] = parent[parent[t]];
-    return t;
-  };
-  for (const auto& [s, t] : joined) {
-    const TriangleId a = root(s), b = root(t);
-    parent[std::max(a, b)] = std::min(a, b);
-  }
-  for (TriangleId& t : parent) t = root(t);
-  return parent;
+// For each triangle the first one of its patch.
+std::vector<TriangleId> roots(std::size_t triangles, const std::vector<EdgeUse>& uses_of_edges,
+                              std::span<const Feature> features) {
+  DisjointSets sets(triangles);
+  for_each_smooth_edge(uses_of_edges, features,
+                       [&](const EdgeUse& s, const EdgeUse& t) { sets.join(s.triangle, t.triangle); });
+  std::vector<TriangleId> root;
+  for (const TriangleId t : ids<TriangleId>(triangles)) root.push_back(TriangleId{sets.root(t)});
+  return root;
 }
 
 // A plane perpendicular to an axis keeps its coordinate exactly, so that rounding never moves vertices off the plane.
@@ -79,7 +60,7 @@ double flatness_tolerance(const TetMesh& mesh) {
 
 std::vector<Patch> group_patches(TetMesh& mesh, const std::vector<EdgeUse>& uses, std::span<const Feature> features,
                                  std::span<const int> refs, std::span<const std::uint8_t> required) {
-  const std::vector<TriangleId> root = roots(mesh.triangles.size(), joined_triangles(uses, features));
+  const std::vector<TriangleId> root = roots(mesh.triangles.size(), uses, features);
   std::vector<Patch> patches;
   for (const TriangleId t : mesh.triangle_ids()) {
     if (root[t] != t) {

@@ -10,6 +10,7 @@
 #include "sizing/derivatives.hpp"
 #include "sizing/limits.hpp"
 #include "sizing/nodal.hpp"
+#include "sizing/principal_curvatures.hpp"
 #include "taut/error.hpp"
 #include "taut/sizing.hpp"
 
@@ -37,21 +38,10 @@ std::vector<std::uint8_t> crossed_marks(const Mesh& mesh, std::span<const double
   return marks;
 }
 
-/// Curvatures of the level set through a point are the eigenvalues of P H P / |g| with P = I - n n^T, besides the one
-/// of n, which is zero.
-Spectrum curvatures(const Derivatives& d, const Vec3& normal, double slope) {
-  const auto project = [&](const Vec3& b) { return b - dot(normal, b) * normal; };
-  const Sym3 tangential = 1 / slope * congruent(d.hessian, project);
-  // n is made the eigenvector of the largest eigenvalue, so that it is found whatever the curvatures are.
-  const double apart =
-      4 * std::max({std::abs(tangential[0]), std::abs(tangential[3]), std::abs(tangential[5]), 1e-300});
-  return spectrum(tangential + 4 * apart * outer(normal));
-}
-
 /// The sizes at the surface, along the normal and in the directions of curvature, grown with the distance from it.
 Sym3 metric_near(const Derivatives& d, double distance, const LevelSetOptions& o) {
-  const double slope = norm(d.gradient), grown = o.growth * distance;
-  const Spectrum s = curvatures(d, 1 / slope * d.gradient, slope);
+  const double grown = o.growth * distance;
+  const Spectrum s = principal_curvatures(d);
   const auto along = [&](double curvature) {
     return std::min(std::sqrt(o.error / std::abs(curvature)), o.limits.hmax);
   };

@@ -53,6 +53,7 @@ TEST_F(MetricRun, EveryKind) {
       {"lp", "cube.mesh", "u.sol", "v.solb", "--complexity", "500", "--recovery", "projection"},
       {"error", "cube.mesh", "u.sol", "v.solb", "--error", "0.05"},
       {"levelset", "cube.mesh", "u.sol", "--error", "0.05", "--level", "0.1", "--growth", "0.5", "--refinement", "4"},
+      {"curvature", "cube.mesh", "--deviation", "0.01", "--relative", "--turn", "30", "--angle", "60"},
       {"implied", "cube.mesh"},
       {"size", "cube.mesh", "--size", "0.2"},
       {"size", "cube.mesh", "sizes.sol"},
@@ -84,6 +85,19 @@ TEST_F(MetricRun, LpHasTheComplexity) {
                           "--gradation", "1.5", "-o", "out.solb"}));
       EXPECT_NEAR(complexity_of("out.solb"), 500, 0.00201 * 500) << norm << " " << field;
     }
+}
+
+/// A bowl of radius 2 in the top of the cube; a plane has the size --hmax.
+TEST_F(MetricRun, CurvatureIsThatOfTheSurface) {
+  Mesh bowl = mesh_;
+  for (auto& [x, y, z] : bowl.points) z *= 3 - std::sqrt(4 - (x - 0.5) * (x - 0.5) - (y - 0.5) * (y - 0.5));
+  write("bowl.mesh", mesh_text(bowl));
+  expect_done(metric({"curvature", "bowl.mesh", "--deviation", "0.001", "--hmax", "5", "-o", "out.sol"}));
+  const Tensors tensors = std::get<Tensors>(read_metric("out.sol"));
+  for (std::size_t v = 0; v < tensors.size(); ++v) {
+    if (bowl.points[v] == Point{0.5, 0.5, 1}) EXPECT_NEAR(1 / std::sqrt(tensors[v][0]), std::sqrt(0.008 * 2), 0.002);
+    if (bowl.points[v] == Point{0.5, 0.5, 0}) EXPECT_NEAR(1 / std::sqrt(tensors[v][0]), 5, 1e-6);
+  }
 }
 
 /// Two components of the vector are zero.
@@ -139,6 +153,7 @@ TEST_F(MetricRun, RefusesFilesThatCannotBeUsed) {
   refused({"size", "cube.mesh", "few.sol", "-o", "o.sol"}, {"few.sol: ", "343"});
   refused({"intersect", "cube.mesh", "sizes.sol", "few.sol", "-o", "o.sol"}, {"few.sol: ", "343"});
   refused({"implied", "flat.mesh", "-o", "o.sol"}, {"flat.mesh: tetrahedron 1", "flat"});
+  refused({"curvature", "flat.mesh", "--deviation", "1", "-o", "o.sol"}, {"flat.mesh: tetrahedron 1", "flat"});
 }
 
 TEST_F(MetricRun, RefusesOptionsThatMakeNoSense) {
@@ -154,6 +169,9 @@ TEST_F(MetricRun, RefusesOptionsThatMakeNoSense) {
           {"--hmin: 2", "taut metric lp --help"});
   refused({"error", "cube.mesh", "u.sol", "-o", "o.sol"}, {"--error"});
   refused({"levelset", "cube.mesh", "u.sol", "--error", "1", "--refinement", "1", "-o", "o.sol"}, {"--refinement"});
+  refused({"curvature", "cube.mesh", "-o", "o.sol"}, {"--deviation", "taut metric curvature --help"});
+  refused({"curvature", "cube.mesh", "--deviation", "0", "-o", "o.sol"}, {"--deviation: 0", "above 0"});
+  refused({"curvature", "cube.mesh", "--deviation", "1", "--turn", "91", "-o", "o.sol"}, {"--turn: 91", "at most 90"});
   refused({"size", "cube.mesh", "-o", "o.sol"}, {"file of sizes or --size"});
   refused({"size", "cube.mesh", "sizes.sol", "--size", "1", "-o", "o.sol"}, {"file of sizes or --size"});
   refused({"gradate", "cube.mesh", "sizes.sol", "u.sol", "-o", "o.sol"}, {"taut metric gradate --help"});
