@@ -4,8 +4,9 @@
 // usage: interface ERROR GROWTH ACROSS DEVIATION FOLDER
 //
 // Starts from a uniform mesh of [-1.2, 1.2]^3 with h = 0.2 and adapts it eight times to the metric of the level set,
-// whose function is evaluated anew on each mesh. If DEVIATION is above 0, vertices are then placed on the surface.
-// Writes mesh.meshb and u.solb to FOLDER, and prints the seconds.
+// whose function is evaluated anew on each mesh. The first passes ask for less: the error halves from pass to pass
+// until it is ERROR in the last two. If DEVIATION is above 0, vertices are then placed on the surface. Writes
+// mesh.meshb and u.solb to FOLDER, and prints the seconds.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -18,6 +19,8 @@
 namespace {
 
 constexpr int passes = 8;
+constexpr double error_ratio = 1.5;    // of a pass to the next
+constexpr int rounds_before_last = 6;  // a mesh that is adapted again needs no polish
 
 double distance_to_origin(const taut::Point& p) {
   return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
@@ -44,10 +47,15 @@ taut::Mesh start() {
   return taut::adapt(cube, taut::Sizes(8, 0.2)).mesh;
 }
 
-taut::AdaptResult adapted_to(taut::Mesh mesh, const taut::LevelSetOptions& options) {
+taut::AdaptResult adapted_to(taut::Mesh mesh, const taut::LevelSetOptions& asked) {
   taut::AdaptResult result;
-  for (int pass = 0; pass < passes; ++pass) {
-    result = taut::adapt(mesh, taut::level_set_metric(mesh, level_at(mesh.points), options));
+  for (int left = passes - 1; left >= 0; --left) {
+    taut::LevelSetOptions options = asked;
+    options.error *= std::pow(error_ratio, left);
+    const taut::Tensors metric = taut::level_set_metric(mesh, level_at(mesh.points), options);
+    taut::AdaptOptions how;
+    if (left > 0) how.max_rounds = rounds_before_last;
+    result = taut::adapt(mesh, metric, how);
     mesh = result.mesh;
   }
   return result;
@@ -61,8 +69,11 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 
 int main(int argc, char** argv) {
   if (argc != 6) return 2;
-  const taut::LevelSetOptions options = {
-      .error = std::atof(argv[1]), .across = std::atof(argv[3]), .growth = std::atof(argv[2]), .limits = {.hmax = 0.2}};
+  const taut::LevelSetOptions options = {.error = std::atof(argv[1]),
+                                         .across = std::atof(argv[3]),
+                                         .growth = std::atof(argv[2]),
+                                         .refinement = 3,
+                                         .limits = {.hmax = 0.2}};
   const double deviation = std::atof(argv[4]);
   const std::filesystem::path folder = argv[5];
 

@@ -68,14 +68,15 @@ struct LevelSetOptions {
   /// Size across the surface, above 0. The piecewise linear surface is then within about 0.3 times it (measured).
   double error = 0;
   double across = 0;  ///< as a share of the smaller size along the surface, that across it is at least this, 0 or more
-  double growth = 0.6;    ///< by which sizes grow per distance from the surface, 0 or more
+  double growth = 0.6;    ///< of the size across the surface per distance from it, 0 or more
   double refinement = 2;  ///< above 1: sizes shrink at most by this factor from those of the mesh
   Limits limits{};        ///< hmax is the size far from the surface
 };
 
 /// The metric that resolves the surface u = 0 of the field with the given values: at the vertices of the elements that
 /// it crosses the size is `error` along the normal and sqrt(error / |k|) in the two directions of principal curvature k
-/// (Dobrzynski and Frey 2008, 5.2). Away from them, all sizes grow by `growth` times the distance |u| / |grad u|.
+/// (Dobrzynski and Frey 2008, 5.2). Away from them, all sizes grow by the same factor, so that the size along the normal
+/// grows by `growth` times the distance |u| / |grad u|.
 /// On a coarse mesh the elements that are crossed are thick, and would all ask for the finest size: therefore sizes are
 /// bounded from below by those of the mesh over `refinement`, and a few adaptations lead to the metric.
 [[nodiscard]] TAUT_EXPORT Tensors level_set_metric(const Mesh& mesh, std::span<const double> values,

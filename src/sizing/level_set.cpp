@@ -40,14 +40,14 @@ std::vector<std::uint8_t> crossed_marks(const Mesh& mesh, std::span<const double
 
 /// The sizes at the surface, along the normal and in the directions of curvature, grown with the distance from it.
 Sym3 metric_near(const Derivatives& d, double distance, const LevelSetOptions& o) {
-  const double grown = o.growth * distance;
   const Spectrum s = principal_curvatures(d);
   const auto along = [&](double curvature) {
     return std::min(std::sqrt(o.error / std::abs(curvature)), o.limits.hmax);
   };
   const double first = along(s.values[0]), second = along(s.values[1]);
   const double across = std::max(o.error, o.across * std::min(first, second));
-  const auto eigenvalue = [&](double size) { return std::pow(std::min(size + grown, o.limits.hmax), -2); };
+  const double factor = 1 + o.growth * distance / across;
+  const auto eigenvalue = [&](double size) { return std::pow(std::min(factor * size, o.limits.hmax), -2); };
   return assemble({{eigenvalue(first), eigenvalue(second), eigenvalue(across)}, s.vectors});
 }
 

@@ -95,8 +95,12 @@ TEST_F(MetricRun, CurvatureIsThatOfTheSurface) {
   expect_done(metric({"curvature", "bowl.mesh", "--deviation", "0.001", "--hmax", "5", "-o", "out.sol"}));
   const Tensors tensors = std::get<Tensors>(read_metric("out.sol"));
   for (std::size_t v = 0; v < tensors.size(); ++v) {
-    if (bowl.points[v] == Point{0.5, 0.5, 1}) EXPECT_NEAR(1 / std::sqrt(tensors[v][0]), std::sqrt(0.008 * 2), 0.002);
-    if (bowl.points[v] == Point{0.5, 0.5, 0}) EXPECT_NEAR(1 / std::sqrt(tensors[v][0]), 5, 1e-6);
+    if (bowl.points[v] == Point{0.5, 0.5, 1}) {
+      EXPECT_NEAR(1 / std::sqrt(tensors[v][0]), std::sqrt(0.008 * 2), 0.002);
+    }
+    if (bowl.points[v] == Point{0.5, 0.5, 0}) {
+      EXPECT_NEAR(1 / std::sqrt(tensors[v][0]), 5, 1e-6);
+    }
   }
 }
 
