@@ -96,7 +96,9 @@ void add_level_set(CLI::App& metric, Job& job) {
       ->type_name("S")
       ->capture_default_str()
       ->check(number([](double x) { return x >= 0; }, "a number, 0 or more"));
-  command->add_option("--growth", options.growth, "growth of the sizes per distance from the surface")
+  command
+      ->add_option("--growth", options.growth,
+                   "growth of the size across the surface per distance from it; all sizes grow by the same factor")
       ->type_name("C")
       ->capture_default_str()
       ->check(number([](double x) { return x >= 0; }, "a number, 0 or more"));
