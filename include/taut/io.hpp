@@ -1,7 +1,9 @@
-// Gamma Mesh Format files: .mesh and .sol (text), .meshb and .solb (binary), versions 1 to 4.
+// Files. Gamma Mesh Format, versions 1 to 4: .mesh and .sol (text), .meshb and .solb (binary). For ParaView: .vtu,
+// .pvd.
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "taut/error.hpp"
@@ -36,6 +38,30 @@ TAUT_EXPORT void write_surface(const std::filesystem::path& path, const SurfaceM
 
 /// The same for .sol and .solb. All fields must have the same number of vertices.
 TAUT_EXPORT void write_solution(const std::filesystem::path& path, const std::vector<Field>& fields);
+
+/// A field and the name that ParaView shows for it.
+struct NamedField {
+  std::string name;  ///< not empty
+  Field field;       ///< one value for each point of the mesh
+};
+
+/// Writes the tetrahedra and triangles as one unstructured grid of ParaView (.vtu, binary), with the cell data
+/// `reference` and the fields as point data; tensors have nine numbers, row by row. As write_mesh() does, it writes a
+/// temporary file, then renames it. Throws Failure if the file cannot be written; InputError if the arrays do not fit
+/// each other, or if two fields have one name.
+TAUT_EXPORT void write_vtu(const std::filesystem::path& path, const Mesh& mesh,
+                           const std::vector<NamedField>& fields = {});
+
+/// A file of a collection in time.
+struct TimedFile {
+  double time = 0;   ///< in the unit of the user
+  std::string file;  ///< the name of the .vtu file, relative to the folder of the .pvd file
+};
+
+/// Writes the collection of time steps (.pvd) that ParaView opens as one animation. The named files need not exist yet,
+/// so the collection can be written anew after every step. Throws Failure if it cannot be written, InputError if a time
+/// is not finite.
+TAUT_EXPORT void write_pvd(const std::filesystem::path& path, const std::vector<TimedFile>& files);
 
 /// Throws Failure if a file cannot be created at `path`. Leaves nothing behind and changes no existing file.
 TAUT_EXPORT void require_writable(const std::filesystem::path& path);

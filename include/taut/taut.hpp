@@ -13,6 +13,7 @@
 #include "taut/metric.hpp"
 #include "taut/placing.hpp"
 #include "taut/quality.hpp"
+#include "taut/rigid_motion.hpp"
 #include "taut/sizing.hpp"
 #include "taut/solution.hpp"
 #include "taut/space_time.hpp"
