@@ -75,10 +75,10 @@ struct LevelSetOptions {
 
 /// The metric that resolves the surface u = 0 of the field with the given values: at the vertices of the elements that
 /// it crosses the size is `error` along the normal and sqrt(error / |k|) in the two directions of principal curvature k
-/// (Dobrzynski and Frey 2008, 5.2). Away from them, all sizes grow by the same factor, so that the size along the normal
-/// grows by `growth` times the distance |u| / |grad u|.
-/// On a coarse mesh the elements that are crossed are thick, and would all ask for the finest size: therefore sizes are
-/// bounded from below by those of the mesh over `refinement`, and a few adaptations lead to the metric.
+/// (Dobrzynski and Frey 2008, 5.2). Away from them, all sizes grow by the same factor, so that the size along the
+/// normal grows by `growth` times the distance |u| / |grad u|. On a coarse mesh the elements that are crossed are
+/// thick, and would all ask for the finest size: therefore sizes are bounded from below by those of the mesh over
+/// `refinement`, and a few adaptations lead to the metric.
 [[nodiscard]] TAUT_EXPORT Tensors level_set_metric(const Mesh& mesh, std::span<const double> values,
                                                    const LevelSetOptions& options);
 
