@@ -95,20 +95,22 @@ struct Chunks {
   [[nodiscard]] std::size_t end(std::size_t chunk) const { return chunk + 1 < size() ? begin(chunk + 1) : count; }
 };
 
-/// Calls body(i) for each i below `count`. Calls for different i must not touch the same memory.
+/// Calls body(i) for each i of the chunks. Calls for different i must not touch the same memory.
 template <class Body>
-void for_each_index(std::size_t count, Body&& body) {
-  const Chunks chunks(count);
+void for_each_index(Chunks chunks, Body&& body) {
   for_each_task(chunks.size(), [&](std::size_t chunk, int) {
     for (std::size_t i = chunks.begin(chunk); i < chunks.end(chunk); ++i) body(i);
   });
 }
+template <class Body>
+void for_each_index(std::size_t count, Body&& body) {
+  for_each_index(Chunks(count), std::forward<Body>(body));
+}
 
-/// The sum of what add(sum, i) adds for each i below `count`. Each chunk starts with a Sum{}; the sums of the chunks
+/// The sum of what add(sum, i) adds for each i of the chunks. Each chunk starts with a Sum{}; the sums of the chunks
 /// are added by `sum += other`, in the order of the chunks.
 template <class Sum, class Add>
-[[nodiscard]] Sum sum_in_order(std::size_t count, Add&& add) {
-  const Chunks chunks(count);
+[[nodiscard]] Sum sum_in_order(Chunks chunks, Add&& add) {
   std::vector<Sum> sums(chunks.size());
   for_each_task(chunks.size(), [&](std::size_t chunk, int) {
     Sum own{};
@@ -118,6 +120,10 @@ template <class Sum, class Add>
   Sum total{};
   for (const Sum& sum : sums) total += sum;
   return total;
+}
+template <class Sum, class Add>
+[[nodiscard]] Sum sum_in_order(std::size_t count, Add&& add) {
+  return sum_in_order<Sum>(Chunks(count), std::forward<Add>(add));
 }
 
 /// What add(list, i) appends to a list for each i of the chunks, in ascending order of i.
