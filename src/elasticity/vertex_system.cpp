@@ -46,8 +46,7 @@ private:
   using Projector = typename Algebra<Value>::Projector;
   enum class Freedom : std::uint8_t { none, some, all };
 
-  // The matrix is read in each iteration, and reading is what the time goes into: rows that are not needed are left
-  // out.
+  // Most time goes into reading the matrix, so rows that are not needed are left out.
   [[nodiscard]] Value free_row_of_product(std::size_t i, std::span<const Value> x) const {
     if (freedom_[i] == Freedom::none) return {};
     const Value value = system_.row_of_product(i, x);
