@@ -11,14 +11,14 @@
 namespace taut {
 namespace {
 
-// Boxes get smaller towards the ball, as around a body in a domain: edges differ by a factor of 8.
+// Boxes get smaller towards the ball, as around a body in a domain: edges differ by a factor of 4.
 const TetMesh& domain() {
   static const TetMesh mesh = [] {
     constexpr Index n = 37;
     Mesh grid = test::grid(n);
     test::jitter(grid, 0.1 / n, 1);
     for (Point& p : grid.points)
-      for (double& x : p) x = 0.3 * (2 * x - 1) + 0.7 * std::pow(2 * x - 1, 3);
+      for (double& x : p) x = 0.5 * (2 * x - 1) + 0.5 * std::pow(2 * x - 1, 3);
     return build(grid).mesh;
   }();
   return mesh;

@@ -69,7 +69,9 @@ struct Algebra<Vec3> {
     for (std::size_t i = 0; i < 3; ++i) sum[i] += b[3 * i] * x[0] + b[3 * i + 1] * x[1] + b[3 * i + 2] * x[2];
   }
   static double component(const Vec3& value, int i) { return value[static_cast<std::size_t>(i)]; }
-  static double entry(const Block& block, int i, int j) { return block[static_cast<std::size_t>(3 * i + j)]; }
+  static double entry(const Block& block, int i, int j) {
+    return block[3 * static_cast<std::size_t>(i) + static_cast<std::size_t>(j)];
+  }
   /// P B P' for the projectors of a row and of a column.
   static Block projected(const Projector& left, const Block& block, const Projector& right);
   /// Of a diagonal block: P D P where the unknown is free, and something of the same size where it is not.

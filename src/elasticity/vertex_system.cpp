@@ -15,9 +15,14 @@ public:
   using Values = std::vector<Value>;
 
   Search(const VertexSystem<Value>& system, std::span<const Constraint<Value>> constraints)
-      : system_(system), rows_(chunks_of_rows(constraints.size())), constraints_(constraints.size()) {
+      : system_(system),
+        rows_(chunks_of_rows(constraints.size())),
+        constraints_(constraints.size()),
+        freedom_(constraints.size()) {
     for_each_index(rows_, [&](std::size_t i) {
       constraints_[i] = system.graph().uses(i).empty() ? prescribed(Value{}) : constraints[i];
+      const Projector& free = constraints_[i].free;
+      freedom_[i] = free == Projector{} ? Freedom::none : free == Algebra<Value>::all ? Freedom::all : Freedom::some;
     });
   }
 
@@ -32,13 +37,22 @@ public:
     }
     const Convergence convergence = conjugate_gradients(
         x, std::move(residual), scale,
-        [&](std::size_t i, std::span<const Value> d) { return constraints_[i].free * system_.row_of_product(i, d); },
-        precondition, options.stop);
+        [&](std::size_t i, std::span<const Value> d) { return free_row_of_product(i, d); }, precondition, options.stop);
     const bool converged = convergence.residual <= options.stop.residual;
     return {with_free_part(x), convergence, converged};
   }
 
 private:
+  using Projector = typename Algebra<Value>::Projector;
+  enum class Freedom : std::uint8_t { none, some, all };
+
+  // Most time goes into reading the matrix, so rows that are not needed are left out.
+  [[nodiscard]] Value free_row_of_product(std::size_t i, std::span<const Value> x) const {
+    if (freedom_[i] == Freedom::none) return {};
+    const Value value = system_.row_of_product(i, x);
+    return freedom_[i] == Freedom::all ? value : constraints_[i].free * value;
+  }
+
   [[nodiscard]] Precondition<Value> preconditioner(Preconditioner kind) const {
     const std::span<const Constraint<Value>> constraints = constraints_;
     if (kind == Preconditioner::incomplete_cholesky)
@@ -51,8 +65,7 @@ private:
     for_each_index(rows_, [&](std::size_t i) {
       const Constraint<Value>& own = constraints_[i];
       // A value that does not count, as that of a dead vertex, need not be a number.
-      const bool is_fixed = own.free == typename Algebra<Value>::Projector{};
-      x[i] = is_fixed || free.empty() ? own.prescribed() : own.prescribed() + own.free * free[i];
+      x[i] = freedom_[i] == Freedom::none || free.empty() ? own.prescribed() : own.prescribed() + own.free * free[i];
     });
     return x;
   }
@@ -74,6 +87,7 @@ private:
   const VertexSystem<Value>& system_;
   Chunks rows_;
   std::vector<Constraint<Value>> constraints_;
+  std::vector<Freedom> freedom_;
 };
 
 }  // namespace

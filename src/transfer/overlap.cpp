@@ -98,10 +98,10 @@ std::optional<Overlap> cut(const TetFrame& whole, const std::array<Weights4, 4>&
 }  // namespace
 
 std::optional<Overlap> overlap(const TetFrame& target, const std::array<Vec3, 4>& source) {
-  using Vertex = Polyhedron::Vertex;
+  using Both = Polyhedron::Vertex;
   const TetFrame frame(source);
-  if (frame.volume < target.volume) return cut<&Vertex::other, &Vertex::own>(frame, weights_in(target, source));
-  return cut<&Vertex::own, &Vertex::other>(target, weights_in(frame, target.corners));
+  if (frame.volume < target.volume) return cut<&Both::other, &Both::own>(frame, weights_in(target, source));
+  return cut<&Both::own, &Both::other>(target, weights_in(frame, target.corners));
 }
 
 }  // namespace taut
