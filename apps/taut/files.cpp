@@ -32,6 +32,7 @@ void require_place(const std::string& file) {
 
 std::vector<NamedField> named(const std::vector<Field>& fields, const Tensors& metric) {
   std::vector<NamedField> all;
+  all.reserve(fields.size() + 1);
   for (const Field& field : fields) all.push_back({fmt::format("field {}", all.size() + 1), field});
   all.push_back({"metric", field_of(metric)});
   return all;
