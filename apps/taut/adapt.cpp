@@ -83,7 +83,7 @@ void write_outputs(const AdaptJob& job, SolutionResult& result) {
   AdaptResult& adapted = result.adapted;
   if (!job.field.output.empty()) write_solution(job.field.output, result.fields);
   if (!job.metric_out.empty()) write_solution(job.metric_out, {field_of(adapted.metric)});
-  write_mesh(job.output, adapted.mesh);
+  write_output(job.output, adapted.mesh, result.fields, adapted.metric);
   adapted.report.seconds.emplace_back("write", watch.seconds());
   if (job.report.empty()) return;
   Json json = {{"taut", TAUT_VERSION}};

@@ -23,7 +23,9 @@ constexpr const char* examples =
 
 void add_files(CLI::App& command, AdaptJob& job) {
   command.add_option("IN", job.input, "mesh to adapt, .mesh or .meshb")->required()->type_name("");
-  command.add_option("-o,--output", job.output, "file for the adapted mesh, .mesh or .meshb; may be IN")
+  command
+      .add_option("-o,--output", job.output,
+                  "file for the adapted mesh, .mesh or .meshb; may be IN; or .vtu, for ParaView")
       ->required()
       ->type_name("OUT");
   command.add_option("--metric", job.metric, "sizes or tensors at the vertices of IN, .sol or .solb")->type_name("SOL");
@@ -95,7 +97,7 @@ AdaptJob with_outputs(AdaptJob job) {
     if (job.field.output.empty()) job.field.output = beside(job.output, "");
     if (job.metric_out.empty()) job.metric_out = beside(job.output, ".metric");
   }
-  require_output(job.output, mesh_files);
+  require_output(job.output, mesh_outputs);
   require_output(job.field.output, solution_files);
   require_output(job.metric_out, solution_files);
   require_output(job.report, report_files);

@@ -30,6 +30,14 @@ void require_place(const std::string& file) {
   }
 }
 
+std::vector<NamedField> named(const std::vector<Field>& fields, const Tensors& metric) {
+  std::vector<NamedField> all;
+  all.reserve(fields.size() + 1);
+  for (const Field& field : fields) all.push_back({fmt::format("field {}", all.size() + 1), field});
+  all.push_back({"metric", field_of(metric)});
+  return all;
+}
+
 }  // namespace
 
 void require_output(const std::string& file, std::span<const std::string_view> extensions) {
@@ -59,6 +67,14 @@ void write_text(const std::string& file, std::string_view text) {
   if (out && !error) return;
   std::filesystem::remove(temporary, error);
   throw Failure(fmt::format("{}: cannot be written", file));
+}
+
+void write_output(const std::string& file, const Mesh& mesh, const std::vector<Field>& fields, const Tensors& metric) {
+  if (std::filesystem::path(file).extension() == ".vtu") {
+    write_vtu(file, mesh, named(fields, metric));
+  } else {
+    write_mesh(file, mesh);
+  }
 }
 
 std::string with_file(std::string_view message, std::string_view mesh, std::span<const Source> others) {

@@ -6,12 +6,17 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "taut/error.hpp"
+#include "taut/field.hpp"
+#include "taut/mesh.hpp"
+#include "taut/metric.hpp"
 
 namespace taut::program {
 
 inline constexpr std::array<std::string_view, 2> mesh_files = {".mesh", ".meshb"};
+inline constexpr std::array<std::string_view, 3> mesh_outputs = {".mesh", ".meshb", ".vtu"};
 inline constexpr std::array<std::string_view, 2> solution_files = {".sol", ".solb"};
 inline constexpr std::array<std::string_view, 1> report_files = {".json"};
 
@@ -25,6 +30,10 @@ void require_different(std::string_view what, const std::string& file, std::stri
 
 /// Writes a temporary file beside `file`, then renames it. Throws Failure.
 void write_text(const std::string& file, std::string_view text);
+
+/// Writes one of the mesh_outputs. Only a .vtu file, which ParaView opens, holds the values at the vertices: the fields
+/// as "field 1" and so on, and the metric. Throws Failure.
+void write_output(const std::string& file, const Mesh& mesh, const std::vector<Field>& fields, const Tensors& metric);
 
 /// A file that the library's messages may be about. They then begin with `prefix`, because the library does not know
 /// where its arrays come from.

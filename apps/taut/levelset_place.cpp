@@ -40,7 +40,7 @@ struct PlaceJob {
 void add_place_files(CLI::App& command, PlaceJob& job) {
   command.add_option("IN", job.input, "mesh, .mesh or .meshb")->required()->type_name("");
   command.add_option("FIELD", job.field, "one number at each vertex of IN, .sol or .solb")->required()->type_name("");
-  command.add_option("-o,--output", job.output, "file for the mesh, .mesh or .meshb; may be IN")
+  command.add_option("-o,--output", job.output, "file for the mesh, .mesh or .meshb; may be IN; or .vtu, for ParaView")
       ->required()
       ->type_name("OUT");
   command
@@ -115,13 +115,14 @@ Json place_json(const PlaceJob& job, const Placed& placed) {
 void write_placed(const PlaceJob& job, const Placed& placed) {
   if (!job.metric_out.empty()) write_solution(job.metric_out, {field_of(placed.adapted.metric)});
   if (!job.values_out.empty()) write_solution(job.values_out, {{.kind = Field::Kind::scalar, .values = placed.values}});
-  write_mesh(job.output, placed.adapted.mesh);
+  write_output(job.output, placed.adapted.mesh, {{.kind = Field::Kind::scalar, .values = placed.values}},
+               placed.adapted.metric);
   if (!job.report.empty()) write_text(job.report, text_of(place_json(job, placed)));
 }
 
 void run_place(const PlaceJob& job) {
   const Stopwatch watch;
-  require_output(job.output, mesh_files);
+  require_output(job.output, mesh_outputs);
   require_output(job.metric_out, solution_files);
   require_output(job.values_out, solution_files);
   require_output(job.report, report_files);

@@ -43,6 +43,15 @@ TEST_F(GoodRun, TextAndBinaryHoldTheSame) {
   EXPECT_EQ(text.triangles, binary.triangles);
 }
 
+TEST_F(GoodRun, ForParaView) {
+  write("u.sol", metric_text(Sizes(27, 1)));
+  expect_done({"adapt", "cube.mesh", "--size", "0.3", "-o", "out.vtu"});
+  EXPECT_TRUE(contains(read("out.vtu"), "Name=\"metric\" NumberOfComponents=\"9\""));
+  expect_done({"adapt", "cube.mesh", "--field", "u.sol", "--complexity", "50", "--hmax", "0.5", "-o", "out.vtu"});
+  EXPECT_TRUE(contains(read("out.vtu"), "Name=\"field 1\" NumberOfComponents=\"1\""));
+  EXPECT_EQ(read_solution("out.sol").size(), 1U);
+}
+
 TEST_F(GoodRun, TensorsAndAllOutputs) {
   write("m.sol", metric_text(Tensors(27, {100, 0, 0, 16, 0, 16})));
   expect_done({"adapt",           "cube.mesh", "--metric", "m.sol",    "-o",          "out.meshb",
