@@ -11,6 +11,7 @@
 #include "taut/limits.hpp"
 #include "taut/mesh.hpp"
 #include "taut/metric.hpp"
+#include "taut/motion.hpp"
 #include "taut/placing.hpp"
 #include "taut/quality.hpp"
 #include "taut/rigid_motion.hpp"

@@ -96,14 +96,18 @@ void assemble_edges(const Session& session, AdaptResult& result) {
 
 }  // namespace
 
-void assemble(Session session, const Mesh& input, AdaptResult& result) {
-  session.target.reset();
-  assemble_hosts(session, input, result.hosts);
-  session.background.reset();  // as large as the mesh: its memory is the result's now
+void assemble_mesh(const Session& session, const Mesh& input, AdaptResult& result) {
   assemble_vertices(session, input, result);
   assemble_tets(session, result.mesh);
   assemble_triangles(session, result.mesh);
   assemble_edges(session, result);
+}
+
+void assemble(Session session, const Mesh& input, AdaptResult& result) {
+  session.target.reset();
+  assemble_hosts(session, input, result.hosts);
+  session.background.reset();  // as large as the mesh: its memory is the result's now
+  assemble_mesh(session, input, result);
   result.report.hash = hash_of(result.mesh, result.metric);
   result.report.quality = measure(result.mesh, Metric{result.metric});
 }

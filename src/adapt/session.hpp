@@ -17,7 +17,7 @@ struct Session {
   TetMesh mesh;  ///< with metrics, hosts and qualities
   Model model;
   std::unique_ptr<const Background> background;  ///< the input
-  std::unique_ptr<const Target> target;
+  std::unique_ptr<Target> target;
   std::vector<VertexId> vertex_of_point;   ///< in the background; `none` for a point that belongs to no tetrahedron
   std::vector<std::uint32_t> tet_of_cell;  ///< of the input
 

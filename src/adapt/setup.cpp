@@ -30,8 +30,8 @@ std::vector<Sym3> place_metrics(TetMesh& mesh, const std::vector<Sym3>& metrics)
   return of_vertex;
 }
 
-std::unique_ptr<const Target> make_target(const Metric& metric, const AdaptOptions& options,
-                                          const Background& background, const std::vector<Sym3>& metrics) {
+std::unique_ptr<Target> make_target(const Metric& metric, const AdaptOptions& options, const Background& background,
+                                    const std::vector<Sym3>& metrics) {
   const auto* function = std::get_if<MetricFunction>(&metric);
   if (function == nullptr || options.limits.gradation) return std::make_unique<Target>(background, metrics);
   return std::make_unique<Target>(*function, options.limits);
@@ -60,6 +60,14 @@ double require_ids_for(double tetrahedra) {
 
 }  // namespace
 
+void set_target(Session& session, const Mesh& input, const Metric& metric, const AdaptOptions& options) {
+  const std::vector<Sym3> metrics =
+      place_metrics(session.mesh, apply_limits(input, tensors_at(input, metric), options.limits));
+  session.background = std::make_unique<const Background>(session.mesh);
+  session.target = make_target(metric, options, *session.background, metrics);
+  session.measure_qualities();
+}
+
 Session set_up(const Mesh& mesh, const Metric& metric, const AdaptOptions& options, Report& report) {
   const Stopwatch build_watch;
   Built built = build(mesh);
@@ -71,17 +79,9 @@ Session set_up(const Mesh& mesh, const Metric& metric, const AdaptOptions& optio
   report.seconds.emplace_back("geometry", geometry_watch.seconds());
 
   const Stopwatch metric_watch;
-  const std::vector<Sym3> metrics =
-      place_metrics(built.mesh, apply_limits(mesh, tensors_at(mesh, metric), options.limits));
-  auto background = std::make_unique<const Background>(built.mesh);
-  auto target = make_target(metric, options, *background, metrics);
-  Session session{std::move(built.mesh),
-                  std::move(model),
-                  std::move(background),
-                  std::move(target),
-                  std::move(built.vertex_of_point),
+  Session session{std::move(built.mesh),      std::move(model), nullptr, nullptr, std::move(built.vertex_of_point),
                   inverse(built.tet_of_input)};
-  session.measure_qualities();
+  set_target(session, mesh, metric, options);
   report.expected_tetrahedra = require_ids_for(expected_tetrahedra(session.mesh));
   report.seconds.emplace_back("metric", metric_watch.seconds());
   return session;

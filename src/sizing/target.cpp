@@ -16,7 +16,15 @@ Target::Target(const Background& background, const std::vector<Sym3>& metrics)
   for_each_index(metrics.size(), [&](std::size_t v) { log_metrics_[v] = log_metric(metrics[v]); });
 }
 
+void Target::place(const RigidMotion& placement) {
+  placement_ = Placement{placement, placement.inverse()};
+}
+
 Sym3 Target::at(const Vec3& x, CellId& host) const {
+  return placement_ ? placement_->there.rotated(at_home(placement_->back(x), host)) : at_home(x, host);
+}
+
+Sym3 Target::at_home(const Vec3& x, CellId& host) const {
   return background_ != nullptr ? interpolate(x, host) : call(x);
 }
 

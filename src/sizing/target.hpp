@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/ids.hpp"
@@ -9,6 +10,7 @@
 #include "locate/background.hpp"
 #include "taut/limits.hpp"
 #include "taut/metric.hpp"
+#include "taut/rigid_motion.hpp"
 
 namespace taut {
 
@@ -22,12 +24,16 @@ public:
   /// The field with the metric `metrics[v]` at vertex v of the background mesh, which must outlive the target.
   Target(const Background& background, const std::vector<Sym3>& metrics);
 
+  /// Where the function or field lies now: it is first moved by `placement`, which carries its tensors along.
+  void place(const RigidMotion& placement);
+
   /// The metric at x. Of a field: `host` is the cell where the search starts, and becomes the one where x was found; a
   /// point outside the domain takes the value at the nearest place of that cell. Of a function: `host` stays as it is;
   /// throws InputError naming x if the value is not finite and positive definite.
   [[nodiscard]] Sym3 at(const Vec3& x, CellId& host) const;
 
 private:
+  [[nodiscard]] Sym3 at_home(const Vec3& x, CellId& host) const;
   [[nodiscard]] Sym3 interpolate(const Vec3& x, CellId& host) const;
   [[nodiscard]] Sym3 call(const Vec3& x) const;
 
@@ -35,6 +41,10 @@ private:
   Limits limits_;
   const Background* background_ = nullptr;
   std::vector<Sym3> log_metrics_;  // at the vertices of the background mesh
+  struct Placement {
+    RigidMotion there, back;
+  };
+  std::optional<Placement> placement_;
 };
 
 }  // namespace taut

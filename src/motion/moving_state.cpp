@@ -1,0 +1,181 @@
+#include "motion/moving_state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "adapt/rounds.hpp"
+#include "adapt/setup.hpp"
+#include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
+#include "motion/numbering.hpp"
+
+namespace taut {
+namespace {
+
+Session session_for(const Mesh& mesh, const Metric& metric, const AdaptOptions& options) {
+  Report report;
+  Session session = set_up(mesh, metric, options, report);
+  if (options.max_rounds > 0)
+    run_rounds(session, {.most = options.max_rounds, .block_size = options.block_size}, options.progress, report);
+  return session;
+}
+
+void add_seconds(Advance& done, const char* phase, double seconds) {
+  const auto known = std::ranges::find(done.seconds, phase, [](const auto& entry) { return entry.first; });
+  if (known != done.seconds.end())
+    known->second += seconds;
+  else
+    done.seconds.emplace_back(phase, seconds);
+}
+
+// Of both, one after the other.
+void follow_on(std::vector<Index>& new_of_old, const std::vector<Index>& next) {
+  for (Index& point : new_of_old)
+    if (point != AdaptResult::gone) point = next[point];
+}
+
+}  // namespace
+
+MovingMesh::State::State(const Mesh& input, const Metric& target, const MotionOptions& asked)
+    : options(asked), session_(session_for(input, target, asked.adaptation)), follower_(options) {
+  AdaptResult result = numbered(session_, input);
+  mesh = std::move(result.mesh);
+  metric = std::move(result.metric);
+  displacements.assign(mesh.points.size(), Point{});
+}
+
+Advance MovingMesh::State::advance(const Goal& goal, std::span<const int> bodies) {
+  Advance done;
+  const int iterations = follower_.iterations();
+  done.new_of_old.resize(mesh.points.size());
+  std::iota(done.new_of_old.begin(), done.new_of_old.end(), Index{0});
+  displacements.assign(mesh.points.size(), Point{});
+  while (done.share < 1 && do_part(goal, bodies, done)) {
+  }
+  done.iterations = follower_.iterations() - iterations;
+  return done;
+}
+
+Boundary MovingMesh::State::boundary_for(const Goal& goal, std::span<const int> bodies) const {
+  Boundary boundary = boundary_of(session_, bodies, options.sliding);
+  if (!goal.motions.empty()) {
+    add_shell(boundary, session_.mesh, options.shell);
+    return boundary;
+  }
+  for (std::size_t v = 0; v < boundary.roles.size(); ++v) {
+    const std::uint32_t point = session_.mesh.origin_of_vertex[v];
+    if (point < goal.displacements.size() && goal.is_driven[point] != 0) boundary.roles[v] = {Driver::body};
+  }
+  return boundary;
+}
+
+bool MovingMesh::State::do_part(const Goal& goal, std::span<const int> bodies, Advance& done) {
+  const Stopwatch solve_watch;
+  const Boundary boundary = boundary_for(goal, bodies);
+  const double left = 1 - done.share;
+  const Places places = follower_.places(session_.mesh, boundary, goal, left);
+  add_seconds(done, "solve", solve_watch.seconds());
+
+  const Stopwatch move_watch;
+  const Reach reach = reach_of(session_.mesh, places, left, options.smallest_share);
+  if (reach.share == 0) {
+    done.stopped_by = place_of(*reach.in_the_way);
+    return false;
+  }
+  move_to(reach.places);
+  if (move_metric(goal, bodies, reach.share)) refresh_all();
+  add_seconds(done, "move", move_watch.seconds());
+  done.share += reach.share;
+  // Points that the caller moves keep their numbers until they have arrived.
+  const bool vertices_may_change = options.changes == MeshChanges::all && (!goal.motions.empty() || done.share == 1);
+  if (options.changes != MeshChanges::nothing) optimise(vertices_may_change, done);
+  ++done.parts;
+  return true;
+}
+
+void MovingMesh::State::move_to(const std::vector<Vec3>& places) {
+  TetMesh& work = session_.mesh;
+  const auto moved = indices_where(places.size(), [&](std::size_t v) { return places[v] != work.vertices[v].x; });
+  for_each_index(moved.size(), [&](std::size_t i) {
+    Vec3& x = work.vertices[moved[i]].x;
+    const std::uint32_t point = work.origin_of_vertex[moved[i]];
+    displacements[point] = Vec3{displacements[point]} + (places[moved[i]] - x);
+    mesh.points[point] = x = places[moved[i]];
+  });
+  refresh(moved);
+}
+
+// A metric that follows a body changes everywhere.
+bool MovingMesh::State::move_metric(const Goal& goal, std::span<const int> bodies, double share) {
+  if (!options.metric_follows) return false;
+  const auto body = std::ranges::find(bodies, *options.metric_follows);
+  if (body == bodies.end()) return false;
+  metric_placement_ = goal.motions[static_cast<std::size_t>(body - bodies.begin())].share(share) * metric_placement_;
+  session_.target->place(metric_placement_);
+  return true;
+}
+
+void MovingMesh::State::refresh(const std::vector<std::uint32_t>& changed) {
+  std::vector<VertexId> vertices(changed.size());
+  std::ranges::transform(changed, vertices.begin(), [](std::uint32_t v) { return static_cast<VertexId>(v); });
+  session_.refresh(vertices);
+  for (const VertexId v : vertices) metric[session_.mesh.origin_of_vertex[v]] = session_.mesh.vertices[v].m;
+}
+
+void MovingMesh::State::refresh_all() {
+  refresh(indices_where(session_.mesh.vertices.size(), [](std::size_t) { return true; }));
+}
+
+void MovingMesh::State::optimise(bool vertices_may_change, Advance& done) {
+  const Stopwatch watch;
+  Report report;
+  run_rounds(session_,
+             {.most = options.rounds,
+              .block_size = options.adaptation.block_size,
+              .passes = {.insertion = vertices_may_change, .collapse = vertices_may_change}},
+             options.adaptation.progress, report);
+  for (const PassReport& pass : report.passes) done.passes.push_back(pass);
+  add_seconds(done, "optimise", watch.seconds());
+  renew_mesh(done);
+}
+
+// Optimisation moves vertices too, so fields are transferred whenever it has run.
+void MovingMesh::State::renew_mesh(Advance& done) {
+  const Stopwatch watch;
+  AdaptResult result = numbered(session_, mesh);
+  follower_.forget_connectivity();
+  add_seconds(done, "result", watch.seconds());
+  transfer_to(result.mesh, done);
+  done.is_changed = true;
+  follow_on(done.new_of_old, result.new_of_old);
+  mesh = std::move(result.mesh);
+  metric = std::move(result.metric);
+}
+
+void MovingMesh::State::transfer_to(const Mesh& next, Advance& done) {
+  const Stopwatch watch;
+  if (!fields.empty()) fields = transfer(mesh, fields, next, {.method = options.transfer}).fields;
+  Field motion{.kind = Field::Kind::vector, .values = {}};
+  for (const Point& d : displacements) motion.values.insert(motion.values.end(), d.begin(), d.end());
+  const Field moved = transfer(mesh, {motion}, next, {.method = Transfer::linear}).fields[0];
+  displacements.resize(next.points.size());
+  for (std::size_t i = 0; i < displacements.size(); ++i) std::copy_n(&moved.values[3 * i], 3, displacements[i].begin());
+  add_seconds(done, "transfer", watch.seconds());
+}
+
+void MovingMesh::State::set_metric(const Metric& given) {
+  set_target(session_, mesh, given, options.adaptation);
+  metric_placement_ = {};
+  refresh_all();
+}
+
+std::string MovingMesh::State::place_of(TetId tet) const {
+  const auto& v = session_.mesh.tets[tet].v;
+  Vec3 centre{};
+  for (const VertexId vertex : v) centre = centre + 0.25 * session_.mesh.x(vertex);
+  return fmt::format("near ({:.6g}, {:.6g}, {:.6g}) a tetrahedron would turn over", centre[0], centre[1], centre[2]);
+}
+
+}  // namespace taut
