@@ -38,6 +38,7 @@ struct Algebra<double> {
   static void add(Block& block, const Law& /*law*/, double weight, const Vec3& row, const Vec3& column) {
     block += weight * dot(row, column);
   }
+  static void add(Block& block, const Block& other) { block += other; }
   static void add_product(double& sum, const Block& block, double x) { sum += block * x; }
   static double component(double value, int /*i*/) { return value; }
   static double entry(const Block& block, int /*i*/, int /*j*/) { return block; }
@@ -64,6 +65,9 @@ struct Algebra<Vec3> {
       for (std::size_t j = 0; j < 3; ++j) block[3 * i + j] += lambda * (row[i] * column[j]) + mu * (row[j] * column[i]);
       block[4 * i] += trace;
     }
+  }
+  static void add(Block& block, const Block& other) {
+    for (std::size_t k = 0; k < block.size(); ++k) block[k] += other[k];
   }
   static void add_product(Vec3& sum, const Block& b, const Vec3& x) {
     for (std::size_t i = 0; i < 3; ++i) sum[i] += b[3 * i] * x[0] + b[3 * i + 1] * x[1] + b[3 * i + 2] * x[2];

@@ -1,9 +1,10 @@
-// The only file of the room that uses Eigen.
+// The paper's preconditioner.
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 #include <memory>
 #include <vector>
 
+#include "elasticity/eigen_vector.hpp"
 #include "elasticity/preconditioner.hpp"
 
 namespace taut {
@@ -66,16 +67,6 @@ private:
   std::span<const Constraint<Value>> constraints_;
   std::vector<Entry> row_;
 };
-
-template <class Value>
-Value value_at(const Eigen::VectorXd& values, std::size_t i) {
-  if constexpr (std::is_same_v<Value, double>) {
-    return values[static_cast<Eigen::Index>(i)];
-  } else {
-    const auto at = 3 * static_cast<Eigen::Index>(i);
-    return {values[at], values[at + 1], values[at + 2]};
-  }
-}
 
 }  // namespace
 

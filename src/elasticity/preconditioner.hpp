@@ -16,6 +16,11 @@ template <class Value>
 [[nodiscard]] Precondition<Value> block_jacobi(const VertexSystem<Value>& system,
                                                std::span<const Constraint<Value>> constraints);
 
+/// These blocks, and an exact solution for groups of vertices that move as one. Empty if there is none.
+template <class Value>
+[[nodiscard]] Precondition<Value> two_level(const VertexSystem<Value>& system,
+                                            std::span<const Constraint<Value>> constraints);
+
 /// Of all rows in the order of the vertices, by Eigen. Empty if there is none.
 template <class Value>
 [[nodiscard]] Precondition<Value> incomplete_cholesky(const VertexSystem<Value>& system,

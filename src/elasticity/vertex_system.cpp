@@ -57,6 +57,8 @@ private:
     const std::span<const Constraint<Value>> constraints = constraints_;
     if (kind == Preconditioner::incomplete_cholesky)
       if (auto found = incomplete_cholesky(system_, constraints)) return found;
+    if (kind == Preconditioner::two_level)
+      if (auto found = two_level(system_, constraints)) return found;
     return block_jacobi(system_, constraints);
   }
 

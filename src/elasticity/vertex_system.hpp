@@ -12,13 +12,14 @@ namespace taut {
 
 enum class Preconditioner {
   block_jacobi,         ///< the diagonal block of each vertex
+  two_level,            ///< these blocks, and a coarse system for groups of vertices: a third of the iterations
   incomplete_cholesky,  ///< fewer iterations, on one thread; its set-up takes longer than the solution by the other
 };
 
 struct SolveOptions {
   /// The residual is relative to that without free displacements, in the norm of the preconditioner.
   StopAt stop{};
-  Preconditioner preconditioner = Preconditioner::block_jacobi;
+  Preconditioner preconditioner = Preconditioner::two_level;
 };
 
 template <class Value>

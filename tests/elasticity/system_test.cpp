@@ -99,7 +99,8 @@ TEST(VertexSystem, IgnoresDeadEntities) {
   const VertexGraph graph(mesh);
   ElasticSystem system(graph);
   system.assemble(elements_of(mesh, {}));
-  for (const auto kind : {Preconditioner::block_jacobi, Preconditioner::incomplete_cholesky}) {
+  for (const auto kind :
+       {Preconditioner::two_level, Preconditioner::block_jacobi, Preconditioner::incomplete_cholesky}) {
     const auto u = system.solve(constraints, start, {{.residual = 1e-13}, kind});
     EXPECT_TRUE(u.converged);
     EXPECT_LT(error_of<Vec3>(mesh, u.values, affine), 1e-11);
@@ -142,7 +143,8 @@ TEST(ShareOfMotion, IsLinearInASlab) {
   const VertexGraph graph(mesh);
   ShareSystem system(graph);
   system.assemble(elements_of(mesh, {}));
-  for (const auto kind : {Preconditioner::block_jacobi, Preconditioner::incomplete_cholesky}) {
+  for (const auto kind :
+       {Preconditioner::two_level, Preconditioner::block_jacobi, Preconditioner::incomplete_cholesky}) {
     const auto share = system.solve(constraints_of<double>(mesh, share_at), {}, {{.residual = 1e-13}, kind});
     EXPECT_TRUE(share.converged);
     EXPECT_LT(error_of<double>(mesh, share.values, [](const Vec3& p) { return p[0]; }), 1e-11);
