@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "adapt/hash.hpp"
+#include "base/with_threads.hpp"
 #include "mesh/shapes.hpp"
 #include "taut/taut.hpp"
 
@@ -239,20 +240,12 @@ TEST(MovingMesh, TakesANewMetric) {
   EXPECT_THROW(mesh.set_metric(Sizes(3, 0.1)), InputError);
 }
 
-template <class Call>
-std::string message(Call call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 TEST(MovingMesh, RefusesWhatMakesNoSense) {
   const Mesh start = room();
   MovingMesh mesh = moving(start, fixed_surface());
-  const auto bodies = [&](std::vector<BodyMotion> list) { return message([&] { (void)mesh.advance(list); }); };
+  const auto bodies = [&](std::vector<BodyMotion> list) {
+    return test::refusal(1, [&] { return mesh.advance(list); });
+  };
   EXPECT_EQ(bodies({{9, {}}}), "motion: no triangle has the reference 9");
   EXPECT_EQ(bodies({{body, {}}, {body, {}}}), "motion: the reference 7 comes twice");
   const Index inside =
@@ -261,16 +254,18 @@ TEST(MovingMesh, RefusesWhatMakesNoSense) {
                                                 return distance_from_middle(p) > 0.2 && distance_from_middle(p) < 0.45;
                                               }) -
                          start.points.begin());
-  const auto points = [&](std::vector<PointMotion> list) { return message([&] { (void)mesh.advance(list); }); };
+  const auto points = [&](std::vector<PointMotion> list) {
+    return test::refusal(1, [&] { return mesh.advance(list); });
+  };
   EXPECT_EQ(points({{inside, {}}}), "motion: point " + std::to_string(inside) + " is not on the boundary");
   const Index corner = start.triangles[0][0];
   EXPECT_EQ(points({{corner, {NAN, 0, 0}}}),
             "motion: the displacement of point " + std::to_string(corner) + " is not finite");
   EXPECT_EQ(points({{corner, {}}, {corner, {}}}), "motion: point " + std::to_string(corner) + " comes twice");
-  EXPECT_EQ(message([&] { moving(start, {.rounds = -1}); }), "-1 rounds found, expected 0 or more");
-  EXPECT_EQ(message([&] { moving(start, {.poisson_ratio = 0.5}); }),
+  EXPECT_EQ(test::refusal(1, [&] { return moving(start, {.rounds = -1}); }), "-1 rounds found, expected 0 or more");
+  EXPECT_EQ(test::refusal(1, [&] { return moving(start, {.poisson_ratio = 0.5}); }),
             "Poisson ratio 0.5 found, expected between -1 and 1/2");
-  EXPECT_EQ(message([&] { moving(start, {.smallest_share = 0}); }),
+  EXPECT_EQ(test::refusal(1, [&] { return moving(start, {.smallest_share = 0}); }),
             "smallest share 0 found, expected above 0, at most 1");
   EXPECT_EQ(mesh.points(), start.points);
 }
