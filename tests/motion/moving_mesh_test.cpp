@@ -136,6 +136,26 @@ TEST(MovingMesh, CarriesFieldsAlong) {
   }
 }
 
+/// Fields are carried by the vertices, so a field is linear after a step if it is so where the vertices have gone: here
+/// the body stays, and optimisation alone changes the mesh.
+TEST(MovingMesh, TransfersALinearFieldExactly) {
+  const auto linear = [](const Point& p) { return 1 + 2 * p[0] - 3 * p[1] + p[2]; };
+  for (const Transfer method : {Transfer::conservative, Transfer::linear}) {
+    MotionOptions options = fixed_surface();
+    options.transfer = method;
+    MovingMesh mesh = moving(room(), options);
+    mesh.set_metric(Sizes(mesh.points().size(), 0.08));
+    Field field;
+    for (const Point& p : mesh.points()) field.values.push_back(linear(p));
+    mesh.set_fields({field});
+    const std::size_t before = mesh.points().size();
+    ASSERT_EQ(mesh.advance(std::array{BodyMotion{body, {}}}).share, 1);
+    EXPECT_GT(mesh.points().size(), before + 100);
+    for (std::size_t v = 0; v < mesh.points().size(); ++v)
+      EXPECT_NEAR(mesh.fields()[0].values[v], linear(mesh.points()[v]), 1e-12);
+  }
+}
+
 TEST(MovingMesh, GivesTheVelocityOfTheBody) {
   MovingMesh mesh = moving(room(), fixed_surface(MeshChanges::flips));
   ASSERT_EQ(mesh.advance(std::array{BodyMotion{body, RigidMotion::translation({0.02, 0, 0.01})}}).share, 1);
