@@ -81,6 +81,7 @@ void run(int argc, char** argv) {
   add_adapt(app, job);
   add_levelset(app, job);
   add_metric(app, job);
+  add_move(app, job);
   add_quality(app, job);
   add_transfer(app, job);
   if (parse(app, argc, argv)) job();
