@@ -7,6 +7,7 @@
 #include <set>
 #include <string_view>
 
+#include "files.hpp"
 #include "solution.hpp"
 
 namespace taut::program {
@@ -104,7 +105,8 @@ void MovingBodies::fit(const Mesh& mesh, const std::string& mesh_file) {
 }
 
 Advance MovingBodies::advance(MovingMesh& mesh, std::size_t step) const {
-  return points_.empty() ? mesh.advance(motions_in(step)) : mesh.advance(points_);
+  return with_files(file_, {{"motion: ", file_}},
+                    [&] { return points_.empty() ? mesh.advance(motions_in(step)) : mesh.advance(points_); });
 }
 
 // From where a body was before the step. The places are computed from the beginning, so that errors do not add up.

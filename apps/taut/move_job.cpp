@@ -40,7 +40,7 @@ void add_move_inputs(CLI::App& command, MoveJob& job) {
       ->type_name("SOL");
   add_size(command, job.size);
   command.add_option("--fields", job.fields, "fields at the vertices of IN, .sol or .solb, that are carried along")
-      ->type_name("SOL...");
+      ->type_name("SOL");
 }
 
 void add_move_outputs(CLI::App& command, MoveJob& job) {

@@ -85,11 +85,12 @@ public:
   ~MovingMesh();
 
   /// Moves bodies. If they cannot pass, the mesh is the last valid one and Advance::share below 1. Throws InputError
-  /// for a reference that no triangle has, or that comes twice; nothing has changed then.
+  /// for a reference that no triangle has, or that comes twice, and for a motion with a number that is not finite or
+  /// above 1e100; nothing has changed then.
   Advance advance(std::span<const BodyMotion> bodies);
 
   /// Moves points of the boundary; the others stay where they are, or slide. Likewise. Throws InputError for a point
-  /// that is not on the boundary, that comes twice, or whose displacement is not finite.
+  /// that is not on the boundary, that comes twice, or whose displacement has such a number.
   Advance advance(std::span<const PointMotion> points);
 
   /// The mesh as it is now. Points keep their numbers unless MotionOptions::changes is `all`.

@@ -195,10 +195,14 @@ TEST_F(Move, RefusesMotionFilesThatAreWrong) {
   expect_error(move("none.json", 1), 2, {"none.json: cannot be read"});
 }
 
-TEST_F(Move, ABodyCannotLeaveTheNumbers) {
+TEST_F(Move, StopsAtMotionsThatAreTooLong) {
   write("m.json", R"({"bodies": [{"references": [7], "translation": [1e308, 0, 0]}]})");
+  const Outcome outcome = run(move("m.json", 3));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_TRUE(outcome.err.starts_with("taut: error: m.json: that of the reference 7 has a number above")) << outcome.err;
+  write("m.json", R"({"bodies": [{"references": [7], "translation": [1e99, 0, 0]}]})");
   EXPECT_EQ(run(move("m.json", 3)).status, 1);
-  sound_mesh("o-0001.meshb");
+  EXPECT_EQ(sound_mesh("o-0001.meshb").points, room(6).points);
 }
 
 TEST_F(Move, RefusesNamesThatDoNotFit) {
