@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "commands.hpp"
 #include "check.hpp"
+#include "commands.hpp"
 #include "files.hpp"
 #include "interrupt.hpp"
 #include "move_bodies.hpp"
@@ -83,7 +83,8 @@ private:
     if (step.done.share < 1)
       return fmt::format("step {}: the bodies are stopped after {:.4g} of the step: {}; {} holds the last valid mesh",
                          step.step, step.done.share, step.done.stopped_by, step.file);
-    return fmt::format("interrupted in step {}: {} holds the mesh as it was then, which is valid", step.step, step.file);
+    return fmt::format("interrupted in step {}: {} holds the mesh as it was then, which is valid", step.step,
+                       step.file);
   }
 
   const MovingBodies& bodies_;

@@ -24,8 +24,8 @@ bool has_reference(const MovingBody& body, int reference) {
 void require_displacements_everywhere(const std::string& file, const std::vector<MovingBody>& bodies) {
   const auto other = std::ranges::find_if_not(bodies, moves_by_displacements);
   if (other != bodies.end())
-    throw InputError(fmt::format("{}: bodies[{}]: displacements expected, as another body has them", file,
-                                 other - bodies.begin()));
+    throw InputError(
+        fmt::format("{}: bodies[{}]: displacements expected, as another body has them", file, other - bodies.begin()));
 }
 
 // Displacements belong to the vertices of the input.
@@ -43,8 +43,8 @@ void require_found(const std::vector<int>& list, const std::set<int>& found, con
                    const std::string& mesh_file) {
   for (std::size_t i = 0; i < list.size(); ++i)
     if (!found.contains(list[i]))
-      throw InputError(fmt::format("{}[{}]: reference {} found, but no triangle of {} has it", place, i, list[i],
-                                   mesh_file));
+      throw InputError(
+          fmt::format("{}[{}]: reference {} found, but no triangle of {} has it", place, i, list[i], mesh_file));
 }
 
 Field read_displacements(const std::string& file, std::size_t points) {
@@ -78,7 +78,8 @@ MovingBodies::MovingBodies(const std::string& file, const MotionOptions& options
   if (!options.metric_follows) return;
   const int reference = *options.metric_follows;
   if (std::ranges::none_of(motion_.bodies, [&](const MovingBody& body) { return has_reference(body, reference); }))
-    throw InputError(fmt::format("--metric-follows: reference {} found, expected one of a body in {}", reference, file_));
+    throw InputError(
+        fmt::format("--metric-follows: reference {} found, expected one of a body in {}", reference, file_));
 }
 
 std::vector<std::string> MovingBodies::files() const {

@@ -51,8 +51,8 @@ public:
     if (file.empty()) return;
     const auto [other, is_new] = used_.try_emplace(place(file), what);
     if (!is_new)
-      throw InputError(fmt::format("{}: found as a file for the {} and for the {}, expected two files", file,
-                                   other->second, what));
+      throw InputError(
+          fmt::format("{}: found as a file for the {} and for the {}, expected two files", file, other->second, what));
   }
 
 private:

@@ -13,7 +13,8 @@ namespace {
 constexpr const char* move_help =
     "--motion names a JSON file with the amounts of one step:\n"
     "  {\"bodies\": [{\"references\": [7, 8], \"translation\": [0, 0, -0.1]},\n"
-    "              {\"references\": [9], \"rotation\": {\"centre\": [0, 0, 0], \"axis\": [0, 0, 1], \"degrees\": 3.6}},\n"
+    "              {\"references\": [9], \"rotation\": {\"centre\": [0, 0, 0], \"axis\": [0, 0, 1], \"degrees\": "
+    "3.6}},\n"
     "              {\"references\": [5], \"motions\": [{\"rotation\": {...}}, {\"translation\": [...]}]}],\n"
     "   \"fixed\": [1], \"sliding\": [2]}\n"
     "References are those of triangles; all others are fixed. \"motions\" are done one after the other. Instead, each\n"
@@ -94,8 +95,7 @@ void add_motion_rules(CLI::App& command, MotionOptions& options) {
       ->type_name("N")
       ->capture_default_str()
       ->check(count());
-  command
-      .add_option("--stiffening", options.stiffening, "the stiffness of a tetrahedron is 1 / volume to this power")
+  command.add_option("--stiffening", options.stiffening, "the stiffness of a tetrahedron is 1 / volume to this power")
       ->type_name("P")
       ->capture_default_str()
       ->check(number([](double x) { return x >= 0 && std::isfinite(x); }, "a number, 0 or more"));
@@ -103,7 +103,9 @@ void add_motion_rules(CLI::App& command, MotionOptions& options) {
       ->type_name("N")
       ->capture_default_str()
       ->check(count());
-  const auto is_reference = [](double x) { return std::abs(x) <= std::numeric_limits<int>::max() && x == std::floor(x); };
+  const auto is_reference = [](double x) {
+    return std::abs(x) <= std::numeric_limits<int>::max() && x == std::floor(x);
+  };
   command
       .add_option_function<std::string>(
           "--metric-follows",

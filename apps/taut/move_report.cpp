@@ -43,8 +43,11 @@ Json totals_of(const MoveReport& report) {
     for (const auto& [phase, seconds] : step.done.seconds) add_phase(phases, phase, seconds);
   }
   phases.emplace_back("all", report.seconds);
-  return {{"steps", report.steps.size() - 1}, {"parts", parts},   {"iterations", iterations},
-          {"Q_max", worst},                   {"seconds", json_of_phases(phases)}};
+  return {{"steps", report.steps.size() - 1},
+          {"parts", parts},
+          {"iterations", iterations},
+          {"Q_max", worst},
+          {"seconds", json_of_phases(phases)}};
 }
 
 Json options_of(const MoveJob& job) {

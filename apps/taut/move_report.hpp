@@ -21,10 +21,10 @@ struct MoveStep {
 };
 
 struct MoveReport {
-  std::vector<MoveStep> steps;     ///< begins with step 0
-  std::string pvd;                 ///< empty: none
-  std::string ended;               ///< why before the last step; empty if that was reached
-  double read = 0, seconds = 0;    ///< to read the files and set up; in all
+  std::vector<MoveStep> steps;   ///< begins with step 0
+  std::string pvd;               ///< empty: none
+  std::string ended;             ///< why before the last step; empty if that was reached
+  double read = 0, seconds = 0;  ///< to read the files and set up; in all
 };
 
 /// Adds `seconds` to those of a phase.

@@ -39,11 +39,9 @@ void require_bodies(const Mesh& mesh, std::span<const BodyMotion> bodies) {
     if (std::ranges::find(mesh.triangle_refs, ref) == mesh.triangle_refs.end())
       throw InputError(fmt::format("motion: no triangle has the reference {}", ref));
     for (std::size_t j = 0; j < i; ++j)
-      if (bodies[j].reference == ref)
-        throw InputError(fmt::format("motion: the reference {} comes twice", ref));
+      if (bodies[j].reference == ref) throw InputError(fmt::format("motion: the reference {} comes twice", ref));
     if (!is_usable(bodies[i].motion))
-      throw InputError(fmt::format("motion: that of the reference {} has a number above {} or one that is not finite",
-                                   ref, longest));
+      throw InputError(fmt::format("motion: that of the reference {} is not finite or above {}", ref, longest));
   }
 }
 
@@ -58,8 +56,7 @@ Goal goal_of(std::span<const PointMotion> points, const Mesh& mesh) {
     if (point >= mesh.points.size() || on_boundary[point] == 0)
       throw InputError(fmt::format("motion: point {} is not on the boundary", point));
     if (!is_usable(by))
-      throw InputError(fmt::format("motion: the displacement of point {} has a number above {} or one that is not finite",
-                                   point, longest));
+      throw InputError(fmt::format("motion: the displacement of point {} is not finite or above {}", point, longest));
     if (goal.is_driven[point] != 0) throw InputError(fmt::format("motion: point {} comes twice", point));
     goal.is_driven[point] = 1;
     goal.displacements[point] = by;
