@@ -43,7 +43,8 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
 
   std::string text = error.what();
   if (error.get_name() != "ArgumentMismatch") return text;
-  return text.substr(0, text.find(':')) + ": expected exactly one value";
+  const char* expected = text.ends_with(" missing") ? "a value" : "exactly one value";
+  return fmt::format("{}: expected {}", text.substr(0, text.find(':')), expected);
 }
 
 std::string help_command(const CLI::App& app) {

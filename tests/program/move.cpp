@@ -227,6 +227,7 @@ TEST_F(Move, RefusesOptionsThatContradict) {
   expect_error(move("shift.json", 1, {"--size", "0.1", "--metric", "m.solb"}), 2, {"--metric and --size"});
   expect_error(move("shift.json", 1, {"--fields-out", "f-%04d.sol"}), 2, {"--fields-out", "--fields"});
   expect_error(move("shift.json", 1, {"--fields", "u.sol"}), 2, {"--fields-out"});
+  expect_error(move("shift.json", 1, {"--fields"}), 2, {"--fields: expected a value"});
   expect_error(move("shift.json", 1, {"--mode", "swap"}), 2, {"--mode", "swap found, expected move, flips or all"});
   expect_error(move("shift.json", 0), 2, {"--steps", "1 or more"});
   expect_error(move("shift.json", 1, {"--every", "0"}), 2, {"--every", "1 or more"});
