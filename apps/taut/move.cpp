@@ -1,6 +1,7 @@
 // taut move: a mesh follows moving bodies, step by step.
 #include <fmt/format.h>
 
+#include <initializer_list>
 #include <memory>
 #include <string>
 
@@ -32,14 +33,16 @@ MotionOptions motion_options(const MoveJob& job, const MovingBodies& bodies, con
 
 Metric metric_for(const MoveJob& job, const Mesh& mesh) {
   if (job.size) return metric_of_size(*job.size);
-  return job.metric.empty() ? Metric{implied_metric(mesh)} : read_metric(job.metric);
+  if (!job.metric.empty()) return read_metric(job.metric);
+  return with_files(job.input, std::initializer_list<Source>{}, [&] { return Metric{implied_metric(mesh)}; });
 }
 
 MovingMesh moving_mesh(const MoveJob& job, MovingBodies& bodies, const MotionOptions& options) {
   const Mesh mesh = read_mesh(job.input);
   const std::vector<Field> fields = read_fields(job.fields, mesh.points.size());
+  const Metric metric = metric_for(job, mesh);
   MovingMesh moving = with_files(job.input, {{"metric: ", job.size ? "--size" : job.metric}},
-                                 [&] { return MovingMesh(mesh, metric_for(job, mesh), options); });
+                                 [&] { return MovingMesh(mesh, metric, options); });
   bodies.fit(moving.mesh(), job.input);
   moving.set_fields(fields);
   return moving;

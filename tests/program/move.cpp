@@ -223,6 +223,13 @@ TEST_F(Move, RefusesNamesThatDoNotFit) {
       {"a-0000.sol", "fields", "metric"});
 }
 
+TEST_F(Move, NamesTheMetricThatDoesNotFit) {
+  write("m.sol", "nothing");
+  expect_error(move("shift.json", 1, {"--metric", "m.sol"}), 2, {"error: m.sol: "});
+  write("m.sol", metric_text(Sizes(5, 3)));
+  expect_error(move("shift.json", 1, {"--metric", "m.sol"}), 2, {"error: m.sol: 5 values"});
+}
+
 TEST_F(Move, RefusesOptionsThatContradict) {
   expect_error(move("shift.json", 1, {"--size", "0.1", "--metric", "m.solb"}), 2, {"--metric and --size"});
   expect_error(move("shift.json", 1, {"--fields-out", "f-%04d.sol"}), 2, {"--fields-out", "--fields"});
