@@ -11,6 +11,7 @@
 #include "files.hpp"
 #include "interrupt.hpp"
 #include "json.hpp"
+#include "options.hpp"
 #include "progress_line.hpp"
 #include "solution.hpp"
 #include "stopwatch.hpp"
@@ -26,17 +27,12 @@ struct AdaptInput {
   std::vector<Field> fields;  ///< empty: the metric counts
 };
 
-Metric uniform(double size) {
-  const double m = 1 / (size * size);
-  return [m](const Point&) { return Tensor{m, 0, 0, m, 0, m}; };
-}
-
 AdaptInput read_input(const AdaptJob& job) {
   AdaptInput input{.mesh = read_mesh(job.input), .metric = {}, .fields = {}};
   if (adapts_to_fields(job)) {
     input.fields = read_fields(job.field.files, input.mesh.points.size());
   } else {
-    input.metric = job.size ? uniform(*job.size) : read_metric(job.metric);
+    input.metric = job.size ? metric_of_size(*job.size) : read_metric(job.metric);
   }
   return input;
 }

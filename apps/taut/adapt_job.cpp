@@ -39,13 +39,6 @@ void add_files(CLI::App& command, AdaptJob& job) {
   command.add_flag("--quiet", job.quiet, "print only errors");
 }
 
-void add_size(CLI::App& command, AdaptJob& job) {
-  const auto set_size = [&job](const std::string& word) { job.size = number_in(word); };
-  command.add_option_function<std::string>("--size", set_size, "one size everywhere, instead of a metric")
-      ->type_name("H")
-      ->check(positive_number());
-}
-
 void add_boundary(CLI::App& command, AdaptOptions& options) {
   add_surface(command, options.surface, "remesh planar patches");
   add_ridge_angle(command, options.ridge_angle);
@@ -67,7 +60,7 @@ void require_one_target(const AdaptJob& job) {
 
 void add_options(CLI::App& command, AdaptJob& job) {
   add_files(command, job);
-  add_size(command, job);
+  add_size(command, job.size);
   add_fields(command, job.field);
   add_limits(command, job.limits);
   add_boundary(command, job.options);

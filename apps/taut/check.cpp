@@ -1,10 +1,13 @@
 #include "check.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "taut/threads.hpp"
@@ -54,10 +57,11 @@ CLI::Validator word_or(std::string word, const CLI::Validator& other) {
   return CLI::Validator(check, "");
 }
 
-CLI::Validator one_of(std::string first, std::string second) {
-  const auto check = [first = std::move(first), second = std::move(second)](const std::string& word) {
-    if (word == first || word == second) return std::string();
-    return fmt::format("{} found, expected {} or {}", word, first, second);
+CLI::Validator one_of(std::vector<std::string> words) {
+  const auto check = [words = std::move(words)](const std::string& found) {
+    if (std::ranges::find(words, found) != words.end()) return std::string();
+    const std::span others(words.begin(), words.end() - 1);
+    return fmt::format("{} found, expected {} or {}", found, fmt::join(others, ", "), words.back());
   };
   return CLI::Validator(check, "");
 }

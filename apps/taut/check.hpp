@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace taut::program {
 
@@ -24,6 +25,6 @@ void add_threads(CLI::App& command, int& threads);
 /// Either `word` or what `other` accepts.
 [[nodiscard]] CLI::Validator word_or(std::string word, const CLI::Validator& other);
 
-[[nodiscard]] CLI::Validator one_of(std::string first, std::string second);
+[[nodiscard]] CLI::Validator one_of(std::vector<std::string> words);
 
 }  // namespace taut::program

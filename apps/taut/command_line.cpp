@@ -43,7 +43,8 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
 
   std::string text = error.what();
   if (error.get_name() != "ArgumentMismatch") return text;
-  return text.substr(0, text.find(':')) + ": expected exactly one value";
+  const char* expected = text.ends_with(" missing") ? "a value" : "exactly one value";
+  return fmt::format("{}: expected {}", text.substr(0, text.find(':')), expected);
 }
 
 std::string help_command(const CLI::App& app) {
@@ -81,6 +82,7 @@ void run(int argc, char** argv) {
   add_adapt(app, job);
   add_levelset(app, job);
   add_metric(app, job);
+  add_move(app, job);
   add_quality(app, job);
   add_transfer(app, job);
   if (parse(app, argc, argv)) job();

@@ -14,6 +14,7 @@ using Job = std::function<void()>;
 void add_adapt(CLI::App& app, Job& job);
 void add_levelset(CLI::App& app, Job& job);
 void add_metric(CLI::App& app, Job& job);
+void add_move(CLI::App& app, Job& job);
 void add_place(CLI::App& levelset, Job& job);  ///< to the command `levelset`
 void add_quality(CLI::App& app, Job& job);
 void add_transfer(CLI::App& app, Job& job);

@@ -27,7 +27,7 @@ CLI::Option* add_recovery(CLI::App& command, Recovery& recovery) {
                                         "least-squares (the default): fit of a quadratic function around each vertex; "
                                         "projection: gradients averaged twice")
       ->type_name("WORD")
-      ->check(one_of(word_of(Recovery::least_squares), word_of(Recovery::double_projection)));
+      ->check(one_of({word_of(Recovery::least_squares), word_of(Recovery::double_projection)}));
 }
 
 CLI::Option* add_method(CLI::App& command, const char* name, Transfer& method) {
@@ -38,7 +38,7 @@ CLI::Option* add_method(CLI::App& command, const char* name, Transfer& method) {
       .add_option_function<std::string>(name, set_method,
                                         "conservative (the default): keep the integrals; linear: interpolate")
       ->type_name("WORD")
-      ->check(one_of(word_of(Transfer::conservative), word_of(Transfer::linear)));
+      ->check(one_of({word_of(Transfer::conservative), word_of(Transfer::linear)}));
 }
 
 void add_surface(CLI::App& command, Surface& surface, const std::string& adapt) {
@@ -49,7 +49,19 @@ void add_surface(CLI::App& command, Surface& surface, const std::string& adapt) 
       .add_option_function<std::string>("--surface", set_surface,
                                         "adapt (the default): " + adapt + "; fixed: keep all triangles")
       ->type_name("WORD")
-      ->check(one_of("adapt", "fixed"));
+      ->check(one_of({"adapt", "fixed"}));
+}
+
+CLI::Option* add_size(CLI::App& command, std::optional<double>& size) {
+  const auto set_size = [&size](const std::string& word) { size = number_in(word); };
+  return command.add_option_function<std::string>("--size", set_size, "one size everywhere, instead of a metric")
+      ->type_name("H")
+      ->check(positive_number());
+}
+
+Metric metric_of_size(double size) {
+  const double m = 1 / (size * size);
+  return [m](const Point&) { return Tensor{m, 0, 0, m, 0, m}; };
 }
 
 void add_ridge_angle(CLI::App& command, double& degrees) {

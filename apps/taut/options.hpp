@@ -2,8 +2,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
+#include "taut/metric.hpp"
 #include "taut/sizing.hpp"
 #include "taut/surface.hpp"
 #include "taut/transfer.hpp"
@@ -24,6 +26,12 @@ CLI::Option* add_method(CLI::App& command, const char* name, Transfer& method);
 
 /// The option --surface; `adapt` says what the word adapt, the default, means.
 void add_surface(CLI::App& command, Surface& surface, const std::string& adapt);
+
+/// The option --size.
+CLI::Option* add_size(CLI::App& command, std::optional<double>& size);
+
+/// What it asks for.
+[[nodiscard]] Metric metric_of_size(double size);
 
 /// The option --angle.
 void add_ridge_angle(CLI::App& command, double& degrees);

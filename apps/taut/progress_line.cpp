@@ -31,4 +31,11 @@ void ProgressLine::show_expected(double tetrahedra) {
   std::fflush(stderr);
 }
 
+void ProgressLine::show_step(std::size_t step, std::size_t steps, const Quality& quality) {
+  if (!shown_) return;
+  fmt::print(stderr, "{}step {} of {}: {} vertices, worst Q {:.3g}", wiped, step, steps, quality.vertices,
+             quality.Q_max);
+  std::fflush(stderr);
+}
+
 }  // namespace taut::program

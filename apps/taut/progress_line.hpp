@@ -1,7 +1,8 @@
-// The progress of the adaptation, on one line of the terminal that is rewritten after each pass.
+// The progress of the work, on one line of the terminal that is rewritten after each pass or step.
 #pragma once
 
 #include "taut/adapt.hpp"
+#include "taut/quality.hpp"
 
 namespace taut::program {
 
@@ -15,6 +16,7 @@ public:
 
   void show(const Progress& progress);
   void show_expected(double tetrahedra);
+  void show_step(std::size_t step, std::size_t steps, const Quality& quality);
 
 private:
   bool shown_;

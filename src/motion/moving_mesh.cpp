@@ -22,13 +22,26 @@ void require(const MotionOptions& o) {
     throw InputError(fmt::format("smallest share {} found, expected above 0, at most 1", o.smallest_share));
 }
 
-void require_references(const Mesh& mesh, std::span<const BodyMotion> bodies) {
+constexpr double longest = 1e100;  // so that squares and cubes stay in the range of double
+
+bool is_usable(const Point& by) {
+  return std::ranges::all_of(by, [](double x) { return std::abs(x) <= longest; });
+}
+
+bool is_usable(const RigidMotion& motion) {
+  const auto is_row = [](const Point& row) { return is_usable(row); };
+  return is_usable(motion.offset()) && std::ranges::all_of(motion.matrix(), is_row);
+}
+
+void require_bodies(const Mesh& mesh, std::span<const BodyMotion> bodies) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const int ref = bodies[i].reference;
     if (std::ranges::find(mesh.triangle_refs, ref) == mesh.triangle_refs.end())
       throw InputError(fmt::format("motion: no triangle has the reference {}", ref));
     for (std::size_t j = 0; j < i; ++j)
       if (bodies[j].reference == ref) throw InputError(fmt::format("motion: the reference {} comes twice", ref));
+    if (!is_usable(bodies[i].motion))
+      throw InputError(fmt::format("motion: that of the reference {} is not finite or above {}", ref, longest));
   }
 }
 
@@ -42,8 +55,8 @@ Goal goal_of(std::span<const PointMotion> points, const Mesh& mesh) {
   for (const auto& [point, by] : points) {
     if (point >= mesh.points.size() || on_boundary[point] == 0)
       throw InputError(fmt::format("motion: point {} is not on the boundary", point));
-    if (!std::ranges::all_of(by, [](double x) { return std::isfinite(x); }))
-      throw InputError(fmt::format("motion: the displacement of point {} is not finite", point));
+    if (!is_usable(by))
+      throw InputError(fmt::format("motion: the displacement of point {} is not finite or above {}", point, longest));
     if (goal.is_driven[point] != 0) throw InputError(fmt::format("motion: point {} comes twice", point));
     goal.is_driven[point] = 1;
     goal.displacements[point] = by;
@@ -62,7 +75,7 @@ MovingMesh& MovingMesh::operator=(MovingMesh&&) noexcept = default;
 MovingMesh::~MovingMesh() = default;
 
 Advance MovingMesh::advance(std::span<const BodyMotion> bodies) {
-  require_references(mesh(), bodies);
+  require_bodies(mesh(), bodies);
   Goal goal;
   std::vector<int> references;
   for (const auto& [reference, motion] : bodies) {

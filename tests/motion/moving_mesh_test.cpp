@@ -268,6 +268,8 @@ TEST(MovingMesh, RefusesWhatMakesNoSense) {
   };
   EXPECT_EQ(bodies({{9, {}}}), "motion: no triangle has the reference 9");
   EXPECT_EQ(bodies({{body, {}}, {body, {}}}), "motion: the reference 7 comes twice");
+  EXPECT_EQ(bodies({{body, RigidMotion::translation({0, 1e101, 0})}}),
+            "motion: that of the reference 7 is not finite or above 1e+100");
   const Index inside =
       static_cast<Index>(std::ranges::find_if(start.points,
                                               [](const Point& p) {
@@ -280,7 +282,7 @@ TEST(MovingMesh, RefusesWhatMakesNoSense) {
   EXPECT_EQ(points({{inside, {}}}), "motion: point " + std::to_string(inside) + " is not on the boundary");
   const Index corner = start.triangles[0][0];
   EXPECT_EQ(points({{corner, {NAN, 0, 0}}}),
-            "motion: the displacement of point " + std::to_string(corner) + " is not finite");
+            "motion: the displacement of point " + std::to_string(corner) + " is not finite or above 1e+100");
   EXPECT_EQ(points({{corner, {}}, {corner, {}}}), "motion: point " + std::to_string(corner) + " comes twice");
   EXPECT_EQ(test::refusal(1, [&] { return moving(start, {.rounds = -1}); }), "-1 rounds found, expected 0 or more");
   EXPECT_EQ(test::refusal(1, [&] { return moving(start, {.poisson_ratio = 0.5}); }),

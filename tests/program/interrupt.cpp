@@ -8,6 +8,7 @@
 
 #include "program/fixture.hpp"
 #include "program/meshes.hpp"
+#include "taut/io.hpp"
 
 namespace taut::test {
 namespace {
@@ -76,6 +77,24 @@ TEST_F(OnTerminal, CtrlCWritesTheLastValidMesh) {
   EXPECT_EQ(finish(process).status, 1);
   EXPECT_NE(all.find("taut: error: interrupted in round"), std::string::npos) << all;
   expect_done({"quality", "out.mesh", "--check"});
+}
+
+TEST_F(OnTerminal, CtrlCEndsAMotionAfterItsStep) {
+  write_mesh("room.meshb", room(6));
+  write("m.json", R"({"bodies": [{"references": [7], "rotation":
+                      {"centre": [0.5, 0.5, 0.5], "axis": [0, 0, 1], "degrees": 5}}]})");
+  const pid_t process =
+      start({"move", "room.meshb", "--motion", "m.json", "--steps", "9999", "-o", "o-%04d.meshb", "--every", "9999"},
+            terminal_.name());
+  std::string all = terminal_.wait_for_text();
+  kill(process, SIGINT);
+  all += rest(terminal_);
+  EXPECT_EQ(finish(process).status, 1);
+  EXPECT_NE(all.find(" of 9999: "), std::string::npos) << all;
+  const std::string message = "taut: error: interrupted in step ", file = " holds the mesh";
+  ASSERT_NE(all.find(message), std::string::npos) << all;
+  const std::string name = all.substr(all.find(file) - 12, 12);
+  expect_done({"quality", name, "--check"});
 }
 
 }  // namespace

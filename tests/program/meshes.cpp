@@ -1,6 +1,7 @@
 #include "program/meshes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -32,6 +33,18 @@ std::map<Face, Face> boundary(const Mesh& mesh) {
     }
   }
   return open;
+}
+
+template <std::size_t n>
+Point centre_of(const Mesh& mesh, const std::array<Index, n>& element) {
+  Point centre{};
+  for (const Index v : element)
+    for (std::size_t i = 0; i < 3; ++i) centre[i] += mesh.points[v][i] / n;
+  return centre;
+}
+
+double distance_from_middle(const Point& x) {
+  return std::max({std::abs(x[0] - 0.5), std::abs(x[1] - 0.5), std::abs(x[2] - 0.5)});
 }
 
 }  // namespace
@@ -82,6 +95,27 @@ std::string metric_text(const Tensors& tensors) {
 Mesh cube(Index n) {
   Mesh mesh = grid(n);
   for (const auto& [sorted, face] : boundary(mesh)) mesh.triangles.push_back(face);
+  return mesh;
+}
+
+Mesh room(Index n) {
+  const Mesh whole = grid(n);
+  Mesh mesh;
+  std::map<Index, Index> renumbered;
+  for (auto tetrahedron : whole.tetrahedra) {
+    if (distance_from_middle(centre_of(whole, tetrahedron)) < 1.0 / 6) continue;
+    for (Index& v : tetrahedron) {
+      const auto [place, is_new] = renumbered.emplace(v, static_cast<Index>(mesh.points.size()));
+      if (is_new) mesh.points.push_back(whole.points[v]);
+      v = place->second;
+    }
+    mesh.tetrahedra.push_back(tetrahedron);
+  }
+  for (const auto& [sorted, face] : boundary(mesh)) {
+    const Point centre = centre_of(mesh, face);
+    mesh.triangles.push_back(face);
+    mesh.triangle_refs.push_back(distance_from_middle(centre) < 0.4 ? 7 : centre[2] == 0 ? 2 : 1);
+  }
   return mesh;
 }
 

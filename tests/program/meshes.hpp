@@ -19,6 +19,10 @@ extern const std::string two_tets;
 /// The unit cube as n^3 boxes with all its boundary triangles.
 [[nodiscard]] Mesh cube(Index n);
 
+/// The unit cube as n^3 boxes without its middle third, n a multiple of 3. Its outer triangles have the reference 1, or
+/// 2 where z = 0; those of the hole have 7.
+[[nodiscard]] Mesh room(Index n);
+
 /// `text` with `old`, which occurs once, replaced by `now`.
 [[nodiscard]] std::string changed(std::string text, std::string_view old, std::string_view now);
 

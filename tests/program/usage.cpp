@@ -15,12 +15,13 @@ TEST_F(Usage, Version) {
 TEST_F(Usage, HelpHasExamples) {
   EXPECT_NE(expect_done({"--help"}).out.find("quality"), std::string::npos);
   EXPECT_NE(expect_done({"adapt", "--help"}).out.find("  taut adapt "), std::string::npos);
+  EXPECT_NE(expect_done({"move", "--help"}).out.find("  taut move "), std::string::npos);
   EXPECT_NE(expect_done({"quality", "--help"}).out.find("  taut quality "), std::string::npos);
   EXPECT_NE(expect_done({"transfer", "--help"}).out.find("  taut transfer "), std::string::npos);
 }
 
 TEST_F(Usage, UnknownWords) {
-  expect_error({}, 2, {"no command found, expected adapt, levelset, metric, quality or transfer", "taut --help"});
+  expect_error({}, 2, {"no command found, expected adapt, levelset, metric, move, quality or transfer", "taut --help"});
   expect_error({"adopt"}, 2, {"adopt", "taut --help"});
   expect_error({"adapt", "--frob"}, 2, {"--frob", "taut adapt --help"});
   expect_error({"quality", "a.mesh", "b.mesh"}, 2, {"b.mesh", "taut quality --help"});
