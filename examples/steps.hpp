@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <string>
 #include <taut/taut.hpp>
@@ -11,16 +12,29 @@
 
 namespace steps {
 
-inline double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
+struct Seconds {
+  double elapsed = 0;
+  double busy = 0;  ///< of all threads
+};
+
+class Watch {
+public:
+  [[nodiscard]] Seconds seconds() const {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+    return {elapsed.count(), static_cast<double>(std::clock() - busy_before_) / CLOCKS_PER_SEC};
+  }
+
+private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  std::clock_t busy_before_ = std::clock();
+};
 
 /// One line of comma-separated numbers for each step, measured by taut::measure: a solver needs no such thing, so it is
 /// not part of the seconds.
 class Log {
 public:
   explicit Log(const std::filesystem::path& path) : file_(std::fopen(path.c_str(), "w")) {
-    std::fprintf(file_, "step,vertices,tetrahedra,tau,Q_up_to_3,Q_max,share,parts,iterations,metric,seconds");
+    std::fprintf(file_, "step,vertices,tetrahedra,tau,Q_up_to_3,Q_max,share,parts,iterations,seconds,busy");
     for (const char* phase : phases) std::fprintf(file_, ",%s", phase);
     std::fprintf(file_, "\n");
   }
@@ -28,11 +42,10 @@ public:
   Log& operator=(const Log&) = delete;
   ~Log() { std::fclose(file_); }
 
-  /// `metric_seconds`: of set_metric() before the step. `seconds`: of both.
-  void add(int step, const taut::MovingMesh& moving, const taut::Advance& done, double metric_seconds, double seconds) {
+  void add(int step, const taut::MovingMesh& moving, const taut::Advance& done, const Seconds& took) {
     const taut::Quality q = taut::measure(moving.mesh(), moving.metric());
     std::fprintf(file_, "%d,%zu,%zu,%.6f,%.8f,%.4f,%.4f,%d,%d,%.4f,%.4f", step, q.vertices, q.tetrahedra, q.tau,
-                 q.Q_up_to_3, q.Q_max, done.share, done.parts, done.iterations, metric_seconds, seconds);
+                 q.Q_up_to_3, q.Q_max, done.share, done.parts, done.iterations, took.elapsed, took.busy);
     for (const char* phase : phases) std::fprintf(file_, ",%.4f", of_phase(done, phase));
     std::fprintf(file_, "\n");
     std::fflush(file_);

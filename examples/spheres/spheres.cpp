@@ -17,7 +17,7 @@
 namespace {
 
 constexpr int all_steps = 34, steps_between_meshes = 8;
-constexpr double coarsest = 0.78, thinnest = 0.05, layer = -4;
+constexpr double coarsest = 0.45, thinnest = 0.03, layer = -4;
 
 struct Ball {
   int reference;
@@ -47,7 +47,7 @@ constexpr std::array<Ball, 2> balls = {{{2, 0.5, 0.12, {0, 0, 0}, {0, 4, -8.5}},
 /// Eq. (5) of the paper, turned and moved. The triangles of the spheres stay as they are, so near them no size can be
 /// far from theirs: none is larger than an edge, nor smaller than half of it.
 taut::Tensor metric_at(const taut::Point& p, double time) {
-  constexpr double growth = 0.3;
+  constexpr double growth = 0.6;
   double along = coarsest;
   double across = coarsest * std::abs(1 - std::exp(-std::abs(p[2] - layer))) + thinnest;
   for (const Ball& ball : balls) {
@@ -73,15 +73,14 @@ int main(int argc, char** argv) {
   taut::MovingMesh moving(taut::read_mesh(argv[1]), metric(0), options);
 
   steps::Log log(folder / "steps.csv");
-  log.add(0, moving, {.share = 1}, 0, 0);
+  log.add(0, moving, {}, {});
   steps::write(folder, 0, moving);
   for (int step = 1; step <= all_steps; ++step) {
-    const auto begin = std::chrono::steady_clock::now();
+    const steps::Watch watch;
     moving.set_metric(metric(static_cast<double>(step) / all_steps));
-    const double metric_seconds = steps::seconds_since(begin);
     const std::array motions = {balls[0].step(), balls[1].step()};
     const taut::Advance done = moving.advance(motions);
-    log.add(step, moving, done, metric_seconds, steps::seconds_since(begin));
+    log.add(step, moving, done, watch.seconds());
     if (step % steps_between_meshes == 0 || step == all_steps) steps::write(folder, step, moving);
   }
 }

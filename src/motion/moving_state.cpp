@@ -86,8 +86,9 @@ bool MovingMesh::State::do_part(const Goal& goal, std::span<const int> bodies, A
     done.stopped_by = place_of(*reach.in_the_way);
     return false;
   }
-  move_to(reach.places);
-  if (move_metric(goal, bodies, reach.share)) refresh_all();
+  const bool metric_moved = move_metric(goal, bodies, reach.share);
+  const auto moved = move_to(reach.places);
+  metric_moved ? refresh_all() : refresh(moved);
   add_seconds(done, "move", move_watch.seconds());
   done.share += reach.share;
   // Points that the caller moves keep their numbers until they have arrived.
@@ -97,7 +98,8 @@ bool MovingMesh::State::do_part(const Goal& goal, std::span<const int> bodies, A
   return true;
 }
 
-void MovingMesh::State::move_to(const std::vector<Vec3>& places) {
+// Returns the vertices that have moved.
+std::vector<std::uint32_t> MovingMesh::State::move_to(const std::vector<Vec3>& places) {
   displacements_ = displacements();
   displaced_.reset();
   TetMesh& work = session_.mesh;
@@ -108,7 +110,7 @@ void MovingMesh::State::move_to(const std::vector<Vec3>& places) {
     displacements_[point] = Vec3{displacements_[point]} + (places[moved[i]] - x);
     mesh.points[point] = x = places[moved[i]];
   });
-  refresh(moved);
+  return moved;
 }
 
 // A metric that follows a body changes everywhere.
@@ -138,7 +140,8 @@ void MovingMesh::State::optimise(bool vertices_may_change, Advance& done) {
   run_rounds(session_,
              {.most = options.rounds,
               .block_size = options.adaptation.block_size,
-              .passes = {.insertion = vertices_may_change, .collapse = vertices_may_change}},
+              .passes = {.insertion = vertices_may_change, .collapse = vertices_may_change},
+              .swap_period = 1},
              options.adaptation.progress, report);
   for (const PassReport& pass : report.passes) done.passes.push_back(pass);
   add_seconds(done, "optimise", watch.seconds());

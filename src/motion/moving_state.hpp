@@ -30,7 +30,7 @@ public:
 private:
   [[nodiscard]] Boundary boundary_for(const Goal& goal, std::span<const int> bodies) const;
   [[nodiscard]] bool do_part(const Goal& goal, std::span<const int> bodies, Advance& done);
-  void move_to(const std::vector<Vec3>& places);
+  [[nodiscard]] std::vector<std::uint32_t> move_to(const std::vector<Vec3>& places);
   [[nodiscard]] bool move_metric(const Goal& goal, std::span<const int> bodies, double share);
   void refresh(const std::vector<std::uint32_t>& changed);
   void refresh_all();
