@@ -6,8 +6,8 @@ import measures
 import numpy as np
 import picture
 
-PHASES = ["solve", "move", "optimise", "result", "metric"]
-COLOURS = ["#0b3c74", "#93c4e4", "#3787c0", "#9aa5b1", "#e07a1f"]
+PHASES = ["solve", "move", "optimise", "result"]
+COLOURS = ["#0b3c74", "#93c4e4", "#3787c0", "#9aa5b1"]
 
 
 def read(folder):
@@ -39,6 +39,7 @@ def print_figures(title, names, paper, runs):
         "largest Q": lambda s: f"{s['Q_max'].max():.2f}",
         "parts, sum": lambda s: f"{s['parts'].sum():.0f}",
         "seconds a step": lambda s: f"{s['seconds'][1:].mean():.3f}",
+        "processor seconds a step": lambda s: f"{s['busy'][1:].mean():.3f}",
     }
     for phase in PHASES:
         rows[f"    {phase}"] = lambda s, phase=phase: f"{s[phase][1:].mean():.3f}"

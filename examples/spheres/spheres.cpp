@@ -17,7 +17,7 @@
 namespace {
 
 constexpr int all_steps = 34, steps_between_meshes = 8;
-constexpr double coarsest = 0.45, thinnest = 0.03, layer = -4;
+constexpr double coarsest = 0.455, thinnest = 0.03, layer = -4;
 
 struct Ball {
   int reference;
@@ -42,12 +42,13 @@ struct Ball {
   }
 };
 
-constexpr std::array<Ball, 2> balls = {{{2, 0.5, 0.12, {0, 0, 0}, {0, 4, -8.5}}, {3, 0.3, 0.08, {0, 4, 0}, {0, 0, -5.5}}}};
+constexpr std::array<Ball, 2> balls = {
+    {{2, 0.5, 0.12, {0, 0, 0}, {0, 4, -8.5}}, {3, 0.3, 0.08, {0, 4, 0}, {0, 0, -5.5}}}};
 
 /// Eq. (5) of the paper, turned and moved. The triangles of the spheres stay as they are, so near them no size can be
 /// far from theirs: none is larger than an edge, nor smaller than half of it.
 taut::Tensor metric_at(const taut::Point& p, double time) {
-  constexpr double growth = 0.6;
+  constexpr double growth = 0.5;
   double along = coarsest;
   double across = coarsest * std::abs(1 - std::exp(-std::abs(p[2] - layer))) + thinnest;
   for (const Ball& ball : balls) {

@@ -7,6 +7,7 @@
 #include "base/parallel.hpp"
 #include "geometry/refit.hpp"
 #include "metric/quality.hpp"
+#include "operators/repair.hpp"
 #include "operators/vertex_move.hpp"
 
 namespace taut {
@@ -18,9 +19,10 @@ float quality_of(const TetMesh& mesh, const Tet& tet) {
   return static_cast<float>(shape_quality(a.x, b.x, c.x, d.x, a.m, b.m, c.m, d.m));
 }
 
-// Whether shapes have changed so much that swaps and moves are worth trying again: 1/Q of one tetrahedron by more than a
-// share, or those at a vertex by shares that add up to more than the moves after which swaps are tried again.
+// Whether shapes have changed so much that swaps and moves are worth trying again: 1/Q of one tetrahedron by more than
+// a share, or those at a vertex by shares that add up to more than the moves after which swaps are tried again.
 constexpr float noticeable = 0.01F, adds_up = static_cast<float>(MoveRules{}.drift);
+constexpr float bad = static_cast<float>(RepairRules{}.bad);
 constexpr float tiny_quality = 1e-6F;
 
 // The vertices at which small changes, one in each refresh, have added up.
@@ -41,12 +43,15 @@ std::vector<std::uint8_t> worn_vertices(TetMesh& mesh, std::span<const std::uint
   return worn;
 }
 
-// What moves rigidly keeps its shape, and costs nothing after that.
+// What moves rigidly keeps its shape, and costs nothing after that. But what is bad, and has no vertex that may move,
+// can only be mended once its neighbours have changed.
 void retry_shapes(TetMesh& mesh, std::span<const std::uint32_t> tets, std::span<const float> change) {
   const std::vector<std::uint8_t> worn = worn_vertices(mesh, tets, change);
   for (std::size_t i = 0; i < tets.size(); ++i) {
     Tet& tet = mesh.tets[tets[i]];
-    if (change[i] <= noticeable && std::ranges::none_of(tet.v, [&](VertexId v) { return worn[v] != 0; })) continue;
+    const bool is_bad = tet.state.quality <= bad;
+    const bool is_worn = std::ranges::any_of(tet.v, [&](VertexId v) { return worn[v] != 0; });
+    if (!is_bad && !is_worn && change[i] <= noticeable) continue;
     tet.state.tried.forget_shapes();
     for (const VertexId v : tet.v) mesh.state_of_vertex[v].restless = true;
   }
