@@ -1,4 +1,4 @@
-"""Gamma Mesh Format files for the examples: reads .mesh and .meshb, writes .meshb and .solb. numpy only."""
+"""Gamma Mesh Format files for the examples: reads .mesh, .meshb and .solb, writes .meshb and .solb. numpy only."""
 import struct
 from dataclasses import dataclass, field
 
@@ -69,6 +69,22 @@ def _text_blocks(path):
             rows = np.array(words[begin:at], float).reshape(count, width + 1)
             blocks[keyword] = rows[:, :-1], rows[:, -1]
     return blocks
+
+
+def read_solution(path):
+    """The one field of a .solb of version 2 or 3: numbers, shape (n,), or tensors, shape (n, 3, 3)."""
+    data = open(path, "rb").read()
+    offset = "<q" if struct.unpack_from("<i", data, 4)[0] >= 3 else "<i"
+    at = 8
+    while struct.unpack_from("<i", data, at)[0] != _SOLUTION:
+        at = struct.unpack_from(offset, data, at + 4)[0]
+    begin = at + 4 + struct.calcsize(offset)
+    count, fields, kind = struct.unpack_from("<3i", data, begin)
+    assert fields == 1 and kind in (1, 3)
+    if kind == 1:
+        return np.frombuffer(data, "<f8", count, begin + 12)
+    values = np.frombuffer(data, "<f8", 6 * count, begin + 12).reshape(count, 6)
+    return values[:, [0, 1, 3, 1, 2, 4, 3, 4, 5]].reshape(count, 3, 3)
 
 
 def write_mesh(path, mesh):

@@ -41,7 +41,7 @@ void BlockPasses::run(Tally Tallies::*kind, Pass pass) {
   (tallies_.*kind).add_seconds(watch.seconds());
 }
 
-void BlockPasses::cut() {
+void BlockPasses::cut(bool with_insertion) {
   const Stopwatch watch;
   blocks_.cut(block_size_, cuts_++);
   block_count_ = blocks_.size();
@@ -50,7 +50,9 @@ void BlockPasses::cut() {
   std::iota(largest_first_.begin(), largest_first_.end(), std::size_t{0});
   std::ranges::stable_sort(largest_first_, std::greater{}, [&](std::size_t b) { return blocks_[b].tets.size(); });
   std::vector<IdNeed> needs(blocks_.size());
-  for_each_block([&](Kernel& kernel, std::size_t b) { needs[b] = needed_ids(kernel); });
+  for_each_block([&](Kernel& kernel, std::size_t b) {
+    needs[b] = with_insertion ? ids_for_insertion(kernel) : ids_for_swaps(kernel);
+  });
   blocks_.lend(needs);
   cut_seconds_ += watch.seconds();
 }

@@ -17,8 +17,9 @@ public:
   /// Blocks of about `block_size` vertices; 0: a single block.
   BlockPasses(Session& session, std::size_t block_size);
 
-  /// Cuts the mesh, each time at new places, and hands out the ids that insertion will need.
-  void cut();
+  /// Cuts the mesh, each time at new places, and hands out the ids that the passes will need, with insertion or
+  /// without.
+  void cut(bool with_insertion = true);
   void close() { blocks_.close(); }
 
   void insert(const InsertionRules& rules);

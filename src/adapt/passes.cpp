@@ -91,7 +91,11 @@ Outcome split(Kernel& kernel, TetId t, const LongEdge& longest, InsertionRules r
 
 }  // namespace
 
-IdNeed needed_ids(Kernel& kernel) {
+IdNeed ids_for_swaps(const Kernel& kernel) {
+  return {few_ids, few_ids + kernel.block->tets.size() / 16, few_ids};
+}
+
+IdNeed ids_for_insertion(Kernel& kernel) {
   const Block& block = *kernel.block;
   const auto is_due = [&](TetId t) { return !kernel.mesh.tets[t].state.tried.all(Trial::insertion); };
   Splits splits;
@@ -99,7 +103,7 @@ IdNeed needed_ids(Kernel& kernel) {
     if (is_due(block.tets[i])) splits.add(kernel, block.tets[i], longest_edge(kernel, block.tets[i]));
   for (TetId t : block.shared_tets)  // measured here, where nothing else writes to them; they need no ids
     if (is_due(t)) (void)longest_edge(kernel, t);
-  IdNeed need{few_ids, few_ids + block.tets.size() / 16, few_ids};
+  IdNeed need = ids_for_swaps(kernel);
   need += splits.need();
   return need;
 }

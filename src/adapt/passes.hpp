@@ -14,8 +14,11 @@
 
 namespace taut {
 
+/// The ids that the kernel's block may need if no vertex is inserted.
+[[nodiscard]] IdNeed ids_for_swaps(const Kernel& kernel);
+
 /// The ids that the kernel's block may need. Measures the edges that are not measured yet.
-[[nodiscard]] IdNeed needed_ids(Kernel& kernel);
+[[nodiscard]] IdNeed ids_for_insertion(Kernel& kernel);
 
 /// Splits the longest edge of each tetrahedron if it is longer than sqrt 2. Tetrahedra with a much longer edge that
 /// reaches beyond the block are added to `stuck`.

@@ -62,13 +62,13 @@ private:
     double efficiency = 0;  ///< gain in log tau by relocation
   };
 
-  // At rest swaps follow every second relocation, which gives the vertices time to settle between two changes of
+  // At rest, swaps that follow every second relocation only give the vertices time to settle between two changes of
   // topology.
   Gain round() {
     const Tallies& done = passes_.tallies();
     const Tallies before = done;
     const PassChoice& chosen = rules_.passes;
-    passes_.cut();
+    passes_.cut(chosen.insertion);
     const auto vertices = static_cast<double>(passes_.vertex_count());
     if (chosen.insertion) pass(done.insertion, [&] { passes_.insert({}); });
     if (chosen.collapse) pass(done.collapse, [&] { passes_.collapse({}); });
@@ -76,7 +76,7 @@ private:
     const double changed = static_cast<double>(done.changed() - before.changed()) / tets;
     const bool grows = changed > growing;
     const SwapRules swap{.good_enough = grows ? swapped_while_growing : swapped_at_rest};
-    if (chosen.swap && (grows || round_ % 2 == 0)) pass(done.swap, [&] { passes_.swap(swap); });
+    if (chosen.swap && (grows || round_ % rules_.swap_period == 0)) pass(done.swap, [&] { passes_.swap(swap); });
     if (chosen.repair && !grows) pass(done.repair, [&] { passes_.repair(repair_rules()); });
     if (chosen.relocation) pass(done.relocation, [&] { passes_.relocate({}); });
     passes_.close();

@@ -17,6 +17,7 @@ struct RoundRules {
   int most = 40;                  ///< rounds; they end earlier when two in a row gain less than they cost
   std::size_t block_size = 8192;  ///< vertices; 0: the whole mesh is one block
   PassChoice passes{};
+  int swap_period = 2;  ///< unless the mesh still grows, swaps come in every so many rounds, 1 or more
 };
 
 /// Repeats insertion, collapse, swaps, repair and relocation until the mesh is unit in its target, or `progress` says

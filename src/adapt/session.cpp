@@ -1,10 +1,14 @@
 #include "adapt/session.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "geometry/refit.hpp"
 #include "metric/quality.hpp"
+#include "operators/repair.hpp"
+#include "operators/vertex_move.hpp"
 
 namespace taut {
 namespace {
@@ -13,6 +17,44 @@ float quality_of(const TetMesh& mesh, const Tet& tet) {
   const auto at = [&](int k) -> const Vertex& { return mesh.vertices[tet.v[k]]; };
   const Vertex &a = at(0), &b = at(1), &c = at(2), &d = at(3);
   return static_cast<float>(shape_quality(a.x, b.x, c.x, d.x, a.m, b.m, c.m, d.m));
+}
+
+// Whether shapes have changed so much that swaps and moves are worth trying again: 1/Q of one tetrahedron by more than
+// a share, or those at a vertex by shares that add up to more than the moves after which swaps are tried again.
+constexpr float noticeable = 0.01F, adds_up = static_cast<float>(MoveRules{}.drift);
+constexpr float bad = static_cast<float>(RepairRules{}.bad);
+constexpr float tiny_quality = 1e-6F;
+
+// The vertices at which small changes, one in each refresh, have added up.
+std::vector<std::uint8_t> worn_vertices(TetMesh& mesh, std::span<const std::uint32_t> tets,
+                                        std::span<const float> change) {
+  std::vector<float> largest(mesh.vertices.size(), 0);
+  for (std::size_t i = 0; i < tets.size(); ++i)
+    if (change[i] <= noticeable)
+      for (const VertexId v : mesh.tets[tets[i]].v) largest[v] = std::max(largest[v], change[i]);
+  std::vector<std::uint8_t> worn(mesh.vertices.size(), 0);
+  for_each_index(worn.size(), [&](std::size_t v) {
+    float& drift = mesh.state_of_vertex[v].drift;
+    drift += largest[v];
+    if (largest[v] == 0 || drift <= adds_up) return;
+    worn[v] = 1;
+    drift = 0;
+  });
+  return worn;
+}
+
+// What moves rigidly keeps its shape, and costs nothing after that. But what is bad, and has no vertex that may move,
+// can only be mended once its neighbours have changed.
+void retry_shapes(TetMesh& mesh, std::span<const std::uint32_t> tets, std::span<const float> change) {
+  const std::vector<std::uint8_t> worn = worn_vertices(mesh, tets, change);
+  for (std::size_t i = 0; i < tets.size(); ++i) {
+    Tet& tet = mesh.tets[tets[i]];
+    const bool is_bad = tet.state.quality <= bad;
+    const bool is_worn = std::ranges::any_of(tet.v, [&](VertexId v) { return worn[v] != 0; });
+    if (!is_bad && !is_worn && change[i] <= noticeable) continue;
+    tet.state.tried.forget_shapes();
+    for (const VertexId v : tet.v) mesh.state_of_vertex[v].restless = true;
+  }
 }
 
 }  // namespace
@@ -33,12 +75,14 @@ void Session::refresh(std::span<const VertexId> moved) {
     return std::ranges::any_of(mesh.tets[t].v, [&](VertexId v) { return has_moved[v] != 0; });
   };
   const auto changed = indices_where(mesh.tets.size(), is_at_moved);
+  std::vector<float> change(changed.size());
   for_each_index(changed.size(), [&](std::size_t i) {
-    Tet& tet = mesh.tets[changed[i]];
-    tet.state = {.quality = quality_of(mesh, tet), .tried = {}};
+    TetState& state = mesh.tets[changed[i]].state;
+    const float before = std::exchange(state.quality, quality_of(mesh, mesh.tets[changed[i]]));
+    change[i] = std::abs(state.quality - before) / std::max(before, tiny_quality);
+    state.tried.measure_lengths();
   });
-  for (const std::uint32_t t : changed)
-    for (VertexId v : mesh.tets[t].v) mesh.state_of_vertex[v].restless = true;
+  retry_shapes(mesh, changed, change);
 }
 
 }  // namespace taut

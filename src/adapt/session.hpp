@@ -25,8 +25,9 @@ struct Session {
   void measure_qualities();
 
   /// Brings up to date what depends on the places of vertices that were moved: their metrics and hosts, the patches and
-  /// lines that they span, and the qualities of their tetrahedra; operations there are worth trying again. The mesh
-  /// must be without dead entities and stay valid.
+  /// lines that they span, and the qualities of their tetrahedra. Where these change, at once or little by little,
+  /// operations are worth trying again; all edges are measured again. The mesh must be without dead entities and stay
+  /// valid.
   void refresh(std::span<const VertexId> moved);
 };
 

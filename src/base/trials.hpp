@@ -25,6 +25,9 @@ public:
   /// Swaps and repairs that failed may succeed now.
   void forget_shapes() { bits_ &= ~(all_of(Trial::edge_swap) | all_of(Trial::face_swap) | all_of(Trial::repair)); }
 
+  /// Nothing is known of the lengths of edges any more.
+  void measure_lengths() { bits_ &= ~(all_of(Trial::insertion) | all_of(Trial::collapse) | all_of(Trial::not_unit)); }
+
   /// Insertions and collapses that failed may succeed now.
   void forget_lengths() {
     const std::uint32_t edges = (bits_ >> first(Trial::not_unit)) & six;

@@ -22,9 +22,9 @@ void add_columns(const TetMesh& mesh, std::size_t i, std::span<const Use> uses, 
   const auto begin = static_cast<std::ptrdiff_t>(columns.size());
   for (const Use& use : uses)
     for (const VertexId v : mesh.tets[use.tet].v)
-      if (v != i) columns.push_back(v);
+      if (v != i && std::find(columns.begin() + begin, columns.end(), std::uint32_t{v}) == columns.end())
+        columns.push_back(v);
   std::sort(columns.begin() + begin, columns.end());
-  columns.erase(std::unique(columns.begin() + begin, columns.end()), columns.end());
 }
 
 }  // namespace

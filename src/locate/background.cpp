@@ -13,6 +13,24 @@ constexpr std::size_t most_cells = 400;  // searched around the place where a wa
 constexpr double least_inside = -1e-9;   // barycentric coordinates above it count as not negative
 constexpr double on_boundary = -1e-6;    // rounding of a point on an oblique face
 
+// The cells of a search: hashed, because a point outside the domain sees all of them.
+class Visited {
+public:
+  Visited() { slots_.fill(none); }
+
+  // False if it is there already.
+  bool add(CellId cell) {
+    std::size_t at = (std::uint32_t{cell} * 0x9e3779b1U) >> (32 - bits);
+    while (slots_[at] != none && slots_[at] != cell) at = (at + 1) % slots_.size();
+    return std::exchange(slots_[at], cell) != cell;
+  }
+
+private:
+  static constexpr int bits = 10;
+  static_assert(most_cells + 4 < (1U << bits) / 2);
+  std::array<CellId, 1U << bits> slots_;
+};
+
 }  // namespace
 
 Background::Background(const TetMesh& mesh) : points_(mesh.vertices.size()), cells_(mesh.tets.size()) {
@@ -74,9 +92,11 @@ void Background::search_around(const Vec3& x, CellId& host, Weights& weights) co
   double best = lowest(weights);
   if (best > on_boundary) return;
   std::vector<CellId> queue{host};
+  Visited visited;
+  visited.add(host);
   for (std::size_t i = 0; i < queue.size() && queue.size() < most_cells && best < least_inside; ++i) {
     for (const CellId next : cells_[queue[i]].beyond) {
-      if (next == none || std::ranges::find(queue, next) != queue.end()) continue;
+      if (next == none || !visited.add(next)) continue;
       queue.push_back(next);
       const Weights w = barycentric(next, x);
       if (lowest(w) <= best) continue;

@@ -104,7 +104,8 @@ const Tensors& MovingMesh::metric() const {
 
 std::vector<Point> MovingMesh::velocities(double duration) const {
   if (!(duration > 0)) throw InputError(fmt::format("duration {} found, expected above 0", duration));
-  std::vector<Point> result = state_->displacements;
+  std::vector<Point> result;
+  on_threads(state_->options.adaptation.threads, [&] { result = state_->displacements(); });
   for (Point& v : result)
     for (double& x : v) x /= duration;
   return result;

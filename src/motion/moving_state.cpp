@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "adapt/rounds.hpp"
 #include "adapt/setup.hpp"
@@ -43,7 +44,7 @@ MovingMesh::State::State(const Mesh& input, const Metric& target, const MotionOp
   AdaptResult result = numbered(session_, input);
   mesh = std::move(result.mesh);
   metric = std::move(result.metric);
-  displacements.assign(mesh.points.size(), Point{});
+  displacements_.assign(mesh.points.size(), Point{});
 }
 
 Advance MovingMesh::State::advance(const Goal& goal, std::span<const int> bodies) {
@@ -51,7 +52,8 @@ Advance MovingMesh::State::advance(const Goal& goal, std::span<const int> bodies
   const int iterations = follower_.iterations();
   done.new_of_old.resize(mesh.points.size());
   std::iota(done.new_of_old.begin(), done.new_of_old.end(), Index{0});
-  displacements.assign(mesh.points.size(), Point{});
+  displacements_.assign(mesh.points.size(), Point{});
+  displaced_.reset();
   while (done.share < 1 && do_part(goal, bodies, done)) {
   }
   done.iterations = follower_.iterations() - iterations;
@@ -84,8 +86,9 @@ bool MovingMesh::State::do_part(const Goal& goal, std::span<const int> bodies, A
     done.stopped_by = place_of(*reach.in_the_way);
     return false;
   }
-  move_to(reach.places);
-  if (move_metric(goal, bodies, reach.share)) refresh_all();
+  const bool metric_moved = move_metric(goal, bodies, reach.share);
+  const auto moved = move_to(reach.places);
+  metric_moved ? refresh_all() : refresh(moved);
   add_seconds(done, "move", move_watch.seconds());
   done.share += reach.share;
   // Points that the caller moves keep their numbers until they have arrived.
@@ -95,16 +98,19 @@ bool MovingMesh::State::do_part(const Goal& goal, std::span<const int> bodies, A
   return true;
 }
 
-void MovingMesh::State::move_to(const std::vector<Vec3>& places) {
+// Returns the vertices that have moved.
+std::vector<std::uint32_t> MovingMesh::State::move_to(const std::vector<Vec3>& places) {
+  displacements_ = displacements();
+  displaced_.reset();
   TetMesh& work = session_.mesh;
   const auto moved = indices_where(places.size(), [&](std::size_t v) { return places[v] != work.vertices[v].x; });
   for_each_index(moved.size(), [&](std::size_t i) {
     Vec3& x = work.vertices[moved[i]].x;
     const std::uint32_t point = work.origin_of_vertex[moved[i]];
-    displacements[point] = Vec3{displacements[point]} + (places[moved[i]] - x);
+    displacements_[point] = Vec3{displacements_[point]} + (places[moved[i]] - x);
     mesh.points[point] = x = places[moved[i]];
   });
-  refresh(moved);
+  return moved;
 }
 
 // A metric that follows a body changes everywhere.
@@ -134,7 +140,8 @@ void MovingMesh::State::optimise(bool vertices_may_change, Advance& done) {
   run_rounds(session_,
              {.most = options.rounds,
               .block_size = options.adaptation.block_size,
-              .passes = {.insertion = vertices_may_change, .collapse = vertices_may_change}},
+              .passes = {.insertion = vertices_may_change, .collapse = vertices_may_change},
+              .swap_period = 1},
              options.adaptation.progress, report);
   for (const PassReport& pass : report.passes) done.passes.push_back(pass);
   add_seconds(done, "optimise", watch.seconds());
@@ -147,22 +154,28 @@ void MovingMesh::State::renew_mesh(Advance& done) {
   AdaptResult result = numbered(session_, mesh);
   follower_.forget_connectivity();
   add_seconds(done, "result", watch.seconds());
-  transfer_to(result.mesh, done);
+  transfer_fields_to(result.mesh, done);
   done.is_changed = true;
   follow_on(done.new_of_old, result.new_of_old);
-  mesh = std::move(result.mesh);
+  displaced_ = std::exchange(mesh, std::move(result.mesh));
   metric = std::move(result.metric);
 }
 
-void MovingMesh::State::transfer_to(const Mesh& next, Advance& done) {
+void MovingMesh::State::transfer_fields_to(const Mesh& next, Advance& done) {
+  if (fields.empty()) return;
   const Stopwatch watch;
-  if (!fields.empty()) fields = transfer(mesh, fields, next, {.method = options.transfer}).fields;
-  Field motion{.kind = Field::Kind::vector, .values = {}};
-  for (const Point& d : displacements) motion.values.insert(motion.values.end(), d.begin(), d.end());
-  const Field moved = transfer(mesh, {motion}, next, {.method = Transfer::linear}).fields[0];
-  displacements.resize(next.points.size());
-  for (std::size_t i = 0; i < displacements.size(); ++i) std::copy_n(&moved.values[3 * i], 3, displacements[i].begin());
+  fields = transfer(mesh, fields, next, {.method = options.transfer}).fields;
   add_seconds(done, "transfer", watch.seconds());
+}
+
+std::vector<Point> MovingMesh::State::displacements() const {
+  if (!displaced_) return displacements_;
+  Field field{.kind = Field::Kind::vector, .values = {}};
+  for (const Point& d : displacements_) field.values.insert(field.values.end(), d.begin(), d.end());
+  const Field here = transfer(*displaced_, {field}, mesh, {.method = Transfer::linear}).fields[0];
+  std::vector<Point> result(mesh.points.size());
+  for (std::size_t i = 0; i < result.size(); ++i) std::copy_n(&here.values[3 * i], 3, result[i].begin());
+  return result;
 }
 
 void MovingMesh::State::set_metric(const Metric& given) {

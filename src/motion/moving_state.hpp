@@ -1,6 +1,7 @@
 // What a MovingMesh is made of, and how it does a step.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "adapt/session.hpp"
@@ -18,27 +19,32 @@ public:
 
   void set_metric(const Metric& metric);
 
+  /// Of the points as they are now, in the last step.
+  [[nodiscard]] std::vector<Point> displacements() const;
+
   const MotionOptions options;
   Mesh mesh;
   Tensors metric;
   std::vector<Field> fields;
-  std::vector<Point> displacements;  ///< of the mesh in the last step, by point
 
 private:
   [[nodiscard]] Boundary boundary_for(const Goal& goal, std::span<const int> bodies) const;
   [[nodiscard]] bool do_part(const Goal& goal, std::span<const int> bodies, Advance& done);
-  void move_to(const std::vector<Vec3>& places);
+  [[nodiscard]] std::vector<std::uint32_t> move_to(const std::vector<Vec3>& places);
   [[nodiscard]] bool move_metric(const Goal& goal, std::span<const int> bodies, double share);
   void refresh(const std::vector<std::uint32_t>& changed);
   void refresh_all();
   void optimise(bool vertices_may_change, Advance& done);
   void renew_mesh(Advance& done);
-  void transfer_to(const Mesh& next, Advance& done);
+  void transfer_fields_to(const Mesh& next, Advance& done);
   [[nodiscard]] std::string place_of(TetId tet) const;
 
   Session session_;
   Follower follower_;
   RigidMotion metric_placement_;
+  // In the last step. Transferred to the mesh as it is now only if somebody asks.
+  std::vector<Point> displacements_;
+  std::optional<Mesh> displaced_;  // whose points they are, if not those of `mesh`
 };
 
 }  // namespace taut

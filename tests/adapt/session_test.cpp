@@ -70,6 +70,46 @@ TEST(Session, AsksTheTargetAgainWhereVerticesMoved) {
   }
 }
 
+// By how many tetrahedra swaps are to be tried again after a motion.
+template <class Motion>
+std::size_t retried_after(Session& session, Motion motion) {
+  for (Vertex& v : session.mesh.vertices) v.x = motion(v.x);
+  for (Tet& t : session.mesh.tets) t.state.tried.set(Trial::edge_swap, 3);
+  for (VertexState& state : session.mesh.state_of_vertex) state.restless = false;
+  session.refresh(all_vertices(session.mesh));
+  std::size_t count = 0;
+  for (const Tet& t : session.mesh.tets) {
+    const bool retried = !t.state.tried.has(Trial::edge_swap, 3);
+    count += retried ? 1 : 0;
+    for (VertexId v : t.v) EXPECT_TRUE(!retried || session.mesh.state_of_vertex[v].restless);
+  }
+  return count;
+}
+
+TEST(Session, TriesNothingAgainWhereShapesAreAsTheyWere) {
+  Session session = session_of(disturbed_cube(4), test::uniform(0.3));
+  EXPECT_EQ(retried_after(session, [](const Vec3& x) { return x + Vec3{0.5, 0.25, -1}; }), 0);
+  expect_qualities_right(session);
+}
+
+TEST(Session, TriesAgainWhatIsBad) {
+  Session session = session_of(disturbed_cube(4), test::uniform(0.3));
+  ASSERT_GT(retried_after(session, [](const Vec3& x) { return Vec3{x[0], x[1], 0.3 * x[2]}; }), 0);
+  std::size_t bad = 0;
+  for (const Tet& t : session.mesh.tets) bad += t.state.quality <= 0.4F ? 1 : 0;
+  EXPECT_GT(bad, 0);
+  EXPECT_EQ(retried_after(session, [](const Vec3& x) { return x + Vec3{0.5, 0.25, -1}; }), bad);
+}
+
+TEST(Session, NoticesSmallChangesThatAddUp) {
+  Session session = session_of(disturbed_cube(4), test::uniform(0.3));
+  const auto shear = [](const Vec3& x) { return Vec3{x[0] + 0.002 * x[2], x[1], x[2]}; };
+  EXPECT_LT(retried_after(session, shear), session.mesh.tet_count() / 20);
+  std::size_t retried = 0;
+  for (int step = 0; step < 100; ++step) retried += retried_after(session, shear);
+  EXPECT_GT(retried, session.mesh.tet_count() / 2);
+}
+
 TEST(Session, FitsThePlanesAndLinesOfABodyThatTurned) {
   Session session = session_of(test::cube(3), test::uniform(0.3));
   const Model before = session.model;
