@@ -38,7 +38,8 @@ int main(int argc, char** argv) {
   const int all_steps = std::atoi(argv[2]);
   const std::filesystem::path folder = argv[3];
   const taut::Mesh mesh = taut::read_mesh(argv[1]);
-  taut::MotionOptions options{.changes = taut::MeshChanges::flips, .rounds = 2, .shell = 3, .metric_follows = rotor};
+  taut::MotionOptions options{
+      .changes = taut::MeshChanges::flips, .rounds = 3, .stiffening = 1.25, .shell = 3, .metric_follows = rotor};
   options.adaptation = {.limits = {.gradation = taut::Gradation{}}, .max_rounds = 40};
   taut::MovingMesh moving(mesh, sizes_of(mesh), options);
 

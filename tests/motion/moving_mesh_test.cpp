@@ -170,13 +170,13 @@ TEST(MovingMesh, GivesTheVelocityOfTheBody) {
 
 TEST(MovingMesh, AddsUpTheVelocitiesOfTheParts) {
   MovingMesh mesh = moving(room(), fixed_surface());
-  const Advance done = mesh.advance(std::array{BodyMotion{body, RigidMotion::translation({0.15, 0, 0})}});
+  const Advance done = mesh.advance(std::array{BodyMotion{body, RigidMotion::translation({0.25, 0, 0})}});
   ASSERT_EQ(done.share, 1) << done.stopped_by;
   ASSERT_GT(done.parts, 1);
   const std::vector<Point> velocities = mesh.velocities(1);
   for (std::size_t t = 0; t < mesh.mesh().triangles.size(); ++t)
     for (const Index v : mesh.mesh().triangles[t])
-      EXPECT_NEAR(velocities[v][0], mesh.mesh().triangle_refs[t] == body ? 0.15 : 0, 1e-9);
+      EXPECT_NEAR(velocities[v][0], mesh.mesh().triangle_refs[t] == body ? 0.25 : 0, 1e-9);
 }
 
 TEST(MovingMesh, StopsAtAWall) {
