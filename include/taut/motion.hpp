@@ -84,10 +84,10 @@ public:
   MovingMesh& operator=(MovingMesh&&) noexcept;
   ~MovingMesh();
 
-  /// Moves bodies. If they cannot pass, the mesh is the last valid one and Advance::share below 1. Throws InputError for
-  /// a reference that no triangle has, or that comes twice, and for a motion with a number that is not finite or above
-  /// 1e100; nothing has changed then. Throws Failure if the solver does not converge: the mesh is then that after the
-  /// last part of the step.
+  /// Moves bodies. If they cannot pass, the mesh is the last valid one and Advance::share below 1. Throws InputError
+  /// for a reference that no triangle has, or that comes twice, and for a motion with a number that is not finite or
+  /// above 1e100; nothing has changed then. Throws Failure if the solver does not converge: the mesh is then that after
+  /// the last part of the step.
   Advance advance(std::span<const BodyMotion> bodies);
 
   /// Moves points of the boundary; the others stay where they are, or slide. Likewise. Throws InputError for a point
