@@ -74,6 +74,8 @@ struct Advance {
   std::vector<std::pair<std::string, double>> seconds;  ///< by phase: "solve", "move", "optimise", "transfer", "result"
 };
 
+class MovingState;
+
 /// A mesh that lives through the steps of a simulation. Between two steps it is valid, and near to the metric.
 class TAUT_EXPORT MovingMesh {
 public:
@@ -116,8 +118,7 @@ public:
   [[nodiscard]] const std::vector<Field>& fields() const;
 
 private:
-  class State;
-  std::unique_ptr<State> state_;
+  std::unique_ptr<MovingState> state_;
 };
 
 }  // namespace taut

@@ -68,7 +68,7 @@ Goal goal_of(std::span<const PointMotion> points, const Mesh& mesh) {
 
 MovingMesh::MovingMesh(const Mesh& mesh, const Metric& metric, const MotionOptions& options) {
   require(options);
-  on_threads(options.adaptation.threads, [&] { state_ = std::make_unique<State>(mesh, metric, options); });
+  on_threads(options.adaptation.threads, [&] { state_ = std::make_unique<MovingState>(mesh, metric, options); });
 }
 MovingMesh::MovingMesh(MovingMesh&&) noexcept = default;
 MovingMesh& MovingMesh::operator=(MovingMesh&&) noexcept = default;

@@ -39,7 +39,7 @@ void follow_on(std::vector<Index>& new_of_old, const std::vector<Index>& next) {
 
 }  // namespace
 
-MovingMesh::State::State(const Mesh& input, const Metric& target, const MotionOptions& asked)
+MovingState::MovingState(const Mesh& input, const Metric& target, const MotionOptions& asked)
     : options(asked), session_(session_for(input, target, asked.adaptation)), follower_(options) {
   AdaptResult result = numbered(session_, input);
   mesh = std::move(result.mesh);
@@ -47,7 +47,7 @@ MovingMesh::State::State(const Mesh& input, const Metric& target, const MotionOp
   displacements_.assign(mesh.points.size(), Point{});
 }
 
-Advance MovingMesh::State::advance(const Goal& goal, std::span<const int> bodies) {
+Advance MovingState::advance(const Goal& goal, std::span<const int> bodies) {
   Advance done;
   const int iterations = follower_.iterations();
   done.new_of_old.resize(mesh.points.size());
@@ -60,7 +60,7 @@ Advance MovingMesh::State::advance(const Goal& goal, std::span<const int> bodies
   return done;
 }
 
-Boundary MovingMesh::State::boundary_for(const Goal& goal, std::span<const int> bodies) const {
+Boundary MovingState::boundary_for(const Goal& goal, std::span<const int> bodies) const {
   Boundary boundary = boundary_of(session_, bodies, options.sliding);
   if (!goal.motions.empty()) {
     add_shell(boundary, session_.mesh, options.shell);
@@ -73,7 +73,7 @@ Boundary MovingMesh::State::boundary_for(const Goal& goal, std::span<const int> 
   return boundary;
 }
 
-bool MovingMesh::State::do_part(const Goal& goal, std::span<const int> bodies, Advance& done) {
+bool MovingState::do_part(const Goal& goal, std::span<const int> bodies, Advance& done) {
   const Stopwatch solve_watch;
   const Boundary boundary = boundary_for(goal, bodies);
   const double left = 1 - done.share;
@@ -99,7 +99,7 @@ bool MovingMesh::State::do_part(const Goal& goal, std::span<const int> bodies, A
 }
 
 // Returns the vertices that have moved.
-std::vector<std::uint32_t> MovingMesh::State::move_to(const std::vector<Vec3>& places) {
+std::vector<std::uint32_t> MovingState::move_to(const std::vector<Vec3>& places) {
   displacements_ = displacements();
   displaced_.reset();
   TetMesh& work = session_.mesh;
@@ -114,7 +114,7 @@ std::vector<std::uint32_t> MovingMesh::State::move_to(const std::vector<Vec3>& p
 }
 
 // A metric that follows a body changes everywhere.
-bool MovingMesh::State::move_metric(const Goal& goal, std::span<const int> bodies, double share) {
+bool MovingState::move_metric(const Goal& goal, std::span<const int> bodies, double share) {
   if (!options.metric_follows) return false;
   const auto body = std::ranges::find(bodies, *options.metric_follows);
   if (body == bodies.end()) return false;
@@ -123,18 +123,18 @@ bool MovingMesh::State::move_metric(const Goal& goal, std::span<const int> bodie
   return true;
 }
 
-void MovingMesh::State::refresh(const std::vector<std::uint32_t>& changed) {
+void MovingState::refresh(const std::vector<std::uint32_t>& changed) {
   std::vector<VertexId> vertices(changed.size());
   std::ranges::transform(changed, vertices.begin(), [](std::uint32_t v) { return static_cast<VertexId>(v); });
   session_.refresh(vertices);
   for (const VertexId v : vertices) metric[session_.mesh.origin_of_vertex[v]] = session_.mesh.vertices[v].m;
 }
 
-void MovingMesh::State::refresh_all() {
+void MovingState::refresh_all() {
   refresh(indices_where(session_.mesh.vertices.size(), [](std::size_t) { return true; }));
 }
 
-void MovingMesh::State::optimise(bool vertices_may_change, Advance& done) {
+void MovingState::optimise(bool vertices_may_change, Advance& done) {
   const Stopwatch watch;
   Report report;
   run_rounds(session_,
@@ -149,7 +149,7 @@ void MovingMesh::State::optimise(bool vertices_may_change, Advance& done) {
 }
 
 // Optimisation moves vertices too, so fields are transferred whenever it has run.
-void MovingMesh::State::renew_mesh(Advance& done) {
+void MovingState::renew_mesh(Advance& done) {
   const Stopwatch watch;
   AdaptResult result = numbered(session_, mesh);
   follower_.forget_connectivity();
@@ -161,14 +161,14 @@ void MovingMesh::State::renew_mesh(Advance& done) {
   metric = std::move(result.metric);
 }
 
-void MovingMesh::State::transfer_fields_to(const Mesh& next, Advance& done) {
+void MovingState::transfer_fields_to(const Mesh& next, Advance& done) {
   if (fields.empty()) return;
   const Stopwatch watch;
   fields = transfer(mesh, fields, next, {.method = options.transfer}).fields;
   add_seconds(done, "transfer", watch.seconds());
 }
 
-std::vector<Point> MovingMesh::State::displacements() const {
+std::vector<Point> MovingState::displacements() const {
   if (!displaced_) return displacements_;
   Field field{.kind = Field::Kind::vector, .values = {}};
   for (const Point& d : displacements_) field.values.insert(field.values.end(), d.begin(), d.end());
@@ -178,13 +178,13 @@ std::vector<Point> MovingMesh::State::displacements() const {
   return result;
 }
 
-void MovingMesh::State::set_metric(const Metric& given) {
+void MovingState::set_metric(const Metric& given) {
   set_target(session_, mesh, given, options.adaptation);
   metric_placement_ = {};
   refresh_all();
 }
 
-std::string MovingMesh::State::place_of(TetId tet) const {
+std::string MovingState::place_of(TetId tet) const {
   const auto& v = session_.mesh.tets[tet].v;
   Vec3 centre{};
   for (const VertexId vertex : v) centre = centre + 0.25 * session_.mesh.x(vertex);

@@ -10,9 +10,9 @@
 
 namespace taut {
 
-class MovingMesh::State {
+class MovingState {
 public:
-  State(const Mesh& mesh, const Metric& metric, const MotionOptions& options);
+  MovingState(const Mesh& mesh, const Metric& metric, const MotionOptions& options);
 
   /// Does as much of the step as can be done.
   [[nodiscard]] Advance advance(const Goal& goal, std::span<const int> bodies);
