@@ -103,7 +103,7 @@ std::vector<std::uint32_t> MovingState::move_to(const std::vector<Vec3>& places)
   displacements_ = displacements();
   displaced_.reset();
   TetMesh& work = session_.mesh;
-  const auto moved = indices_where(places.size(), [&](std::size_t v) { return places[v] != work.vertices[v].x; });
+  auto moved = indices_where(places.size(), [&](std::size_t v) { return places[v] != work.vertices[v].x; });
   for_each_index(moved.size(), [&](std::size_t i) {
     Vec3& x = work.vertices[moved[i]].x;
     const std::uint32_t point = work.origin_of_vertex[moved[i]];

@@ -12,12 +12,12 @@ namespace taut {
 
 class MovingState {
 public:
-  MovingState(const Mesh& mesh, const Metric& metric, const MotionOptions& options);
+  MovingState(const Mesh& input, const Metric& target, const MotionOptions& asked);
 
   /// Does as much of the step as can be done.
   [[nodiscard]] Advance advance(const Goal& goal, std::span<const int> bodies);
 
-  void set_metric(const Metric& metric);
+  void set_metric(const Metric& given);
 
   /// Of the points as they are now, in the last step.
   [[nodiscard]] std::vector<Point> displacements() const;
