@@ -46,6 +46,12 @@ Json null_if_empty(const std::string& text) {
   return text.empty() ? Json() : Json(text);
 }
 
+Json json_of_phases(const Phases& phases) {
+  Json json = Json::object();
+  for (const auto& [phase, seconds] : phases) json[phase] = seconds;
+  return json;
+}
+
 Json json_of(const Quality& q, bool in_metric) {
   Json json = {{"vertices", q.vertices},
                {"edges", q.edges},
@@ -66,16 +72,15 @@ Json json_of(const Quality& q, bool in_metric) {
 }
 
 Json json_of(const Report& report) {
-  Json passes = Json::array(), seconds = Json::object();
+  Json passes = Json::array();
   for (const PassReport& pass : report.passes) passes.push_back(json_of(pass));
-  for (const auto& [phase, time] : report.seconds) seconds[phase] = time;
   return {{"expected_tetrahedra", report.expected_tetrahedra},
           {"rounds", report.rounds},
           {"threads", report.threads},
           {"blocks", report.blocks},
           {"cancelled", report.cancelled},
           {"passes", passes},
-          {"seconds", seconds},
+          {"seconds", json_of_phases(report.seconds)},
           {"reoriented", report.reoriented},
           {"triangles_built", report.triangles_built},
           {"triangles_frozen", report.triangles_frozen},
@@ -105,12 +110,11 @@ Json json_of(const AdaptJob& job) {
 }
 
 Json json_of(const TransferReport& report) {
-  Json fields = Json::array(), seconds = Json::object();
+  Json fields = Json::array();
   for (const auto& components : report.fields) {
     Json& field = fields.emplace_back(Json::array());
     for (const ComponentReport& component : components) field.push_back(json_of(component));
   }
-  for (const auto& [phase, time] : report.seconds) seconds[phase] = time;
   return {{"outside", report.outside},
           {"distance_max", report.distance_max},
           {"volume_before", report.volume_before},
@@ -118,7 +122,7 @@ Json json_of(const TransferReport& report) {
           {"covered_volume", null_if_none(report.covered_volume)},
           {"overlaps", report.overlaps},
           {"fields", fields},
-          {"seconds", seconds}};
+          {"seconds", json_of_phases(report.seconds)}};
 }
 
 Json json_of(const FieldJob& job, const SolutionResult& result) {

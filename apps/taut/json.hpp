@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "adapt_job.hpp"
 #include "taut/adapt.hpp"
@@ -12,9 +14,12 @@
 namespace taut::program {
 
 using Json = nlohmann::ordered_json;
+using Phases = std::vector<std::pair<std::string, double>>;  ///< elapsed seconds by phase
 
 /// The name of a file, or null if there is none.
 [[nodiscard]] Json null_if_empty(const std::string& text);
+
+[[nodiscard]] Json json_of_phases(const Phases& phases);
 
 /// Histograms are lists of {from, to, count}; `to` of the last is null. What needs a metric is left out without one.
 [[nodiscard]] Json json_of(const Quality& quality, bool in_metric);

@@ -7,14 +7,6 @@
 namespace taut::program {
 namespace {
 
-using Phases = std::vector<std::pair<std::string, double>>;
-
-Json json_of_phases(const Phases& phases) {
-  Json json = Json::object();
-  for (const auto& [phase, seconds] : phases) json[phase] = seconds;
-  return json;
-}
-
 Json json_of_step(const MoveStep& step) {
   const Quality& q = step.quality;
   return {{"step", step.step},

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "json.hpp"
@@ -28,7 +27,7 @@ struct MoveReport {
 };
 
 /// Adds `seconds` to those of a phase.
-void add_phase(std::vector<std::pair<std::string, double>>& phases, const std::string& phase, double seconds);
+void add_phase(Phases& phases, const std::string& phase, double seconds);
 
 [[nodiscard]] Json json_of_move(const MoveJob& job, const MoveReport& report);
 

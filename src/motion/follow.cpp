@@ -112,9 +112,8 @@ Places Follower::elastic(const TetMesh& mesh, const Boundary& boundary, const Go
   };
 }
 
-std::vector<double> Follower::share_of(const TetMesh& mesh, const Boundary& boundary, std::size_t body) {
-  ShareSystem system(*graph_);
-  system.assemble(elements_of(mesh, {.exponent = options_.stiffening}));
+std::vector<double> Follower::share_of(const ShareSystem& system, const TetMesh& mesh, const Boundary& boundary,
+                                       std::size_t body) {
   auto share = solved<double>(system, share_constraints(boundary, body), start_from(last_shares_[body], mesh));
   last_shares_[body] = by_point(share, mesh);
   return share;
@@ -123,8 +122,10 @@ std::vector<double> Follower::share_of(const TetMesh& mesh, const Boundary& boun
 Places Follower::by_shares(const TetMesh& mesh, const Boundary& boundary, const Goal& goal) {
   const std::size_t bodies = goal.motions.size();
   last_shares_.resize(bodies);
+  ShareSystem system(*graph_);
+  system.assemble(elements_of(mesh, {.exponent = options_.stiffening}));
   std::vector<std::vector<double>> shares(bodies);
-  for (std::size_t body = 0; body < bodies; ++body) shares[body] = share_of(mesh, boundary, body);
+  for (std::size_t body = 0; body < bodies; ++body) shares[body] = share_of(system, mesh, boundary, body);
   return [&mesh, &boundary, &goal, shares = std::move(shares)](double share) {
     std::vector<Vec3> x(mesh.vertices.size());
     for_each_index(x.size(), [&](std::size_t v) {

@@ -29,7 +29,8 @@ public:
 private:
   [[nodiscard]] Places elastic(const TetMesh& mesh, const Boundary& boundary, const Goal& goal, double most);
   [[nodiscard]] Places by_shares(const TetMesh& mesh, const Boundary& boundary, const Goal& goal);
-  [[nodiscard]] std::vector<double> share_of(const TetMesh& mesh, const Boundary& boundary, std::size_t body);
+  [[nodiscard]] std::vector<double> share_of(const ShareSystem& system, const TetMesh& mesh, const Boundary& boundary,
+                                             std::size_t body);
   template <class Value>
   [[nodiscard]] std::vector<Value> solved(const VertexSystem<Value>& system,
                                           const std::vector<Constraint<Value>>& constraints,
