@@ -85,7 +85,7 @@ private:
   static std::string reason_of(const MoveStep& step) {
     if (step.done.share < 1)
       return fmt::format("step {}: the bodies are stopped after {:.4g} of the step: {}; {} holds the last valid mesh",
-                         step.step, step.done.share, step.done.stopped_by, step.file);
+                         step.step, step.done.share, description(*step.done.obstacle), step.file);
     return fmt::format("interrupted in step {}: {} holds the mesh as it was then, which is valid", step.step,
                        step.file);
   }

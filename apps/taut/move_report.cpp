@@ -7,12 +7,21 @@
 namespace taut::program {
 namespace {
 
+Json json_of_obstacle(const Obstacle& obstacle) {
+  return {{"reason", obstacle.reason == Obstacle::Reason::contact ? "contact" : "tangle"},
+          {"place", obstacle.place},
+          {"body", obstacle.body},
+          {"other", obstacle.other},
+          {"gap", obstacle.gap},
+          {"size", obstacle.size}};
+}
+
 Json json_of_step(const MoveStep& step) {
   const Quality& q = step.quality;
   return {{"step", step.step},
           {"file", null_if_empty(step.file)},
           {"share", step.done.share},
-          {"stopped_by", null_if_empty(step.done.stopped_by)},
+          {"obstacle", step.done.obstacle ? json_of_obstacle(*step.done.obstacle) : Json()},
           {"parts", step.done.parts},
           {"iterations", step.done.iterations},
           {"vertices", q.vertices},

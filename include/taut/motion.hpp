@@ -43,7 +43,9 @@ struct MotionOptions {
   double poisson_ratio = 0.3;        ///< of the elastic body, above -1 and below 1/2
   int shell = 2;                     ///< layers of vertices around a body that move as it does, 0 or more
   double tolerance = 1e-3;           ///< of the linear solver, relative, above 0
-  double smallest_share = 1.0 / 64;  ///< of a step, that is tried before bodies count as stopped, in (0, 1]
+  /// What is tried before bodies count as stopped, in (0, 1]: this share of a step, and smaller ones down to a millionth
+  /// as long as edges in the way change by more than this share of an edge of the metric.
+  double smallest_share = 1.0 / 64;
   std::vector<int> sliding{};        ///< references of triangles of planar walls on which vertices may slide
   /// The metric is that of a place in space. Or it follows the body with this reference.
   std::optional<int> metric_follows{};
@@ -62,10 +64,27 @@ struct PointMotion {
   Point by{};       ///< its displacement in this step
 };
 
+/// Why bodies cannot pass, and where.
+struct Obstacle {
+  enum class Reason {
+    contact,  ///< two surfaces are nearer to each other than an edge of the metric
+    tangle,   ///< there is room between the surfaces, but the tetrahedra there do not follow
+  };
+  Reason reason = Reason::contact;
+  Point place{};   ///< the middle of the gap; of the tetrahedron that would turn over, if it is a tangle
+  int body = 0;    ///< reference of the nearest triangles that move in the step
+  int other = 0;   ///< reference of the nearest triangles that move differently or stay; that of the body if none do
+  double gap = 0;  ///< the least distance between the two near the place; 0 if none move differently
+  double size = 0;  ///< of an edge of the metric across the gap
+};
+
+/// In one line, with everything that the obstacle holds.
+[[nodiscard]] TAUT_EXPORT std::string description(const Obstacle& obstacle);
+
 /// What a step did.
 struct Advance {
-  double share = 0;                ///< of the step that was done: 1 unless bodies cannot pass
-  std::string stopped_by;          ///< if they cannot: the place where they are stopped
+  double share = 0;                  ///< of the step that was done: 1 unless bodies cannot pass
+  std::optional<Obstacle> obstacle;  ///< if they cannot
   int parts = 0;                   ///< in which the step was done
   int iterations = 0;              ///< of the linear solver, in all parts
   bool is_changed = false;         ///< whether anything but places of vertices has changed: tetrahedra, numbers
@@ -86,7 +105,8 @@ public:
   MovingMesh& operator=(MovingMesh&&) noexcept;
   ~MovingMesh();
 
-  /// Moves bodies. If they cannot pass, the mesh is the last valid one and Advance::share below 1. Throws InputError
+  /// Moves bodies. If they cannot pass, Advance::obstacle says why, Advance::share is below 1, and the mesh is the last
+  /// valid one: bodies are where that share has taken them. Throws InputError
   /// for a reference that no triangle has, or that comes twice, and for a motion with a number that is not finite or
   /// above 1e100; nothing has changed then. Throws Failure if the solver does not converge: the mesh is then that after
   /// the last part of the step.

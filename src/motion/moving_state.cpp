@@ -1,7 +1,5 @@
 #include "motion/moving_state.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -11,6 +9,7 @@
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "motion/numbering.hpp"
+#include "motion/obstacle.hpp"
 
 namespace taut {
 namespace {
@@ -35,6 +34,12 @@ void add_seconds(Advance& done, const char* phase, double seconds) {
 void follow_on(std::vector<Index>& new_of_old, const std::vector<Index>& next) {
   for (Index& point : new_of_old)
     if (point != AdaptResult::gone) point = next[point];
+}
+
+MotionOfReference motions_of(const Goal& goal, std::span<const int> bodies) {
+  MotionOfReference motions;
+  for (std::size_t i = 0; i < bodies.size(); ++i) motions[bodies[i]] = goal.motions[i];
+  return motions;
 }
 
 }  // namespace
@@ -83,7 +88,7 @@ bool MovingState::do_part(const Goal& goal, std::span<const int> bodies, Advance
   const Stopwatch move_watch;
   const Reach reach = reach_of(session_.mesh, places, left, options.smallest_share);
   if (reach.share == 0) {
-    done.stopped_by = place_of(*reach.in_the_way);
+    done.obstacle = obstacle_at(*reach.in_the_way, session_, mesh, motions_of(goal, bodies));
     return false;
   }
   const bool metric_moved = move_metric(goal, bodies, reach.share);
@@ -182,13 +187,6 @@ void MovingState::set_metric(const Metric& given) {
   set_target(session_, mesh, given, options.adaptation);
   metric_placement_ = {};
   refresh_all();
-}
-
-std::string MovingState::place_of(TetId tet) const {
-  const auto& v = session_.mesh.tets[tet].v;
-  Vec3 centre{};
-  for (const VertexId vertex : v) centre = centre + 0.25 * session_.mesh.x(vertex);
-  return fmt::format("near ({:.6g}, {:.6g}, {:.6g}) a tetrahedron would turn over", centre[0], centre[1], centre[2]);
 }
 
 }  // namespace taut

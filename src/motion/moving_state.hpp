@@ -37,7 +37,6 @@ private:
   void optimise(bool vertices_may_change, Advance& done);
   void renew_mesh(Advance& done);
   void transfer_fields_to(const Mesh& next, Advance& done);
-  [[nodiscard]] std::string place_of(TetId tet) const;
 
   Session session_;
   Follower follower_;

@@ -14,12 +14,13 @@ using Places = std::function<std::vector<Vec3>(double share)>;
 
 /// A share of the motion that leaves all tetrahedra positive.
 struct Reach {
-  double share = 0;                   ///< 0 if there is none above the least
+  double share = 0;                   ///< 0 if there is none among those tried
   std::vector<Vec3> places;           ///< after it, by vertex
-  std::optional<TetId> in_the_way{};  ///< the first that would not be positive after the next larger share tried
+  std::optional<TetId> in_the_way{};  ///< the first that would not be positive after the smallest share refused
 };
 
-/// Tries `most`, then halves, down to `least` but at least once.
-[[nodiscard]] Reach reach_of(const TetMesh& mesh, const Places& places, double most, double least);
+/// Tries `most`, then halves, down to the share `smallest`; below that, down to a millionth, as long as an edge of a
+/// tetrahedron in the way changes by more than `smallest` of an edge of the metric.
+[[nodiscard]] Reach reach_of(const TetMesh& mesh, const Places& places, double most, double smallest);
 
 }  // namespace taut

@@ -81,7 +81,7 @@ TEST_P(Turning, BringsTheBodyBackAfterAWholeTurn) {
   double worst = 0;
   for (int step = 0; step < 40; ++step) {
     const Advance done = mesh.advance(std::array{BodyMotion{body, turn(9)}});
-    ASSERT_EQ(done.share, 1) << done.stopped_by;
+    ASSERT_EQ(done.share, 1);
     const Quality quality = measure(mesh.mesh(), mesh.metric());
     ASSERT_NEAR(quality.volume, before, 1e-12);
     worst = std::max(worst, quality.Q_max);
@@ -171,7 +171,7 @@ TEST(MovingMesh, GivesTheVelocityOfTheBody) {
 TEST(MovingMesh, AddsUpTheVelocitiesOfTheParts) {
   MovingMesh mesh = moving(room(), fixed_surface());
   const Advance done = mesh.advance(std::array{BodyMotion{body, RigidMotion::translation({0.25, 0, 0})}});
-  ASSERT_EQ(done.share, 1) << done.stopped_by;
+  ASSERT_EQ(done.share, 1);
   ASSERT_GT(done.parts, 1);
   const std::vector<Point> velocities = mesh.velocities(1);
   for (std::size_t t = 0; t < mesh.mesh().triangles.size(); ++t)
@@ -183,15 +183,48 @@ TEST(MovingMesh, StopsAtAWall) {
   MovingMesh mesh = moving(room(), fixed_surface());
   Advance done;
   double way = 0;
-  for (int step = 0; step < 20 && done.stopped_by.empty(); ++step) {
+  for (int step = 0; step < 20 && !done.obstacle; ++step) {
     done = mesh.advance(std::array{BodyMotion{body, RigidMotion::translation({0.05, 0, 0})}});
     way += 0.05 * done.share;
     EXPECT_EQ(defects(mesh.mesh()), std::vector<std::string>{});
   }
   EXPECT_LT(done.share, 1);
-  EXPECT_NE(done.stopped_by, "");
-  EXPECT_GT(way, 0.25);
+  EXPECT_GT(way, 0.32);
   EXPECT_LT(way, 1.0 / 3);
+  ASSERT_TRUE(done.obstacle);
+  EXPECT_EQ(done.obstacle->reason, Obstacle::Reason::contact);
+  EXPECT_EQ(done.obstacle->body, body);
+  EXPECT_EQ(done.obstacle->other, wall);
+  EXPECT_NEAR(done.obstacle->gap, 1.0 / 3 - way, 1e-12);
+  EXPECT_NEAR(done.obstacle->size, 0.12, 1e-12);
+  EXPECT_NEAR(done.obstacle->place[0], 1 - done.obstacle->gap / 2, 1e-12);
+  EXPECT_TRUE(description(*done.obstacle).starts_with("the triangles of reference 7 meet those of reference 1 near ("))
+      << description(*done.obstacle);
+}
+
+/// A step may be long: it is the change of the mesh that decides how small its parts are.
+TEST(MovingMesh, GoesFarInOneStep) {
+  MotionOptions options = fixed_surface();
+  options.smallest_share = 1.0 / 4;
+  MovingMesh mesh = moving(room(), options);
+  const Advance done = mesh.advance(std::array{BodyMotion{body, RigidMotion::translation({0.3, 0, 0})}});
+  EXPECT_EQ(done.share, 1);
+  EXPECT_FALSE(done.obstacle);
+  EXPECT_GT(done.parts, 4);
+}
+
+TEST(MovingMesh, NamesATangle) {
+  MotionOptions options = fixed_surface(MeshChanges::nothing);
+  options.smallest_share = 1;
+  MovingMesh mesh = moving(room(), options);
+  const Advance done = mesh.advance(std::array{BodyMotion{body, turn(120)}});
+  EXPECT_EQ(done.share, 0);
+  ASSERT_TRUE(done.obstacle);
+  EXPECT_EQ(done.obstacle->reason, Obstacle::Reason::tangle);
+  EXPECT_EQ(done.obstacle->body, body);
+  EXPECT_EQ(done.obstacle->other, wall);
+  EXPECT_GT(done.obstacle->gap, 0.12);
+  EXPECT_NE(description(*done.obstacle).find("would turn over near ("), std::string::npos);
 }
 
 TEST(MovingMesh, MovesPointsAsTheCallerSays) {
