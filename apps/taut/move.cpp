@@ -62,7 +62,7 @@ public:
     const Stopwatch measure_watch;
     step.quality = measure(mesh_.mesh(), mesh_.metric());
     add_phase(step.done.seconds, "measure", measure_watch.seconds());
-    const bool is_last = step.done.share < 1 || interrupt.requested();
+    const bool is_last = step.done.obstacle || interrupt.requested();
     if (is_last || files_.wants(number)) write(step);
     if (is_last) report_.ended = reason_of(step);
     return step;
@@ -83,7 +83,7 @@ private:
   }
 
   static std::string reason_of(const MoveStep& step) {
-    if (step.done.share < 1)
+    if (step.done.obstacle)
       return fmt::format("step {}: the bodies are stopped after {:.4g} of the step: {}; {} holds the last valid mesh",
                          step.step, step.done.share, description(*step.done.obstacle), step.file);
     return fmt::format("interrupted in step {}: {} holds the mesh as it was then, which is valid", step.step,

@@ -38,15 +38,15 @@ struct MotionOptions {
   /// Surface, limits, ridge angle, threads and size of blocks. `max_rounds` is for the beginning: the mesh is taken as
   /// it is if 0.
   AdaptOptions adaptation{.max_rounds = 0};
-  int rounds = 3;                    ///< of optimisation after each step, or part of a step, 0 or more
-  double stiffening = 1.5;           ///< stiffness of a tetrahedron is 1 / volume to this power, 0 or more
-  double poisson_ratio = 0.3;        ///< of the elastic body, above -1 and below 1/2
-  int shell = 2;                     ///< layers of vertices around a body that move as it does, 0 or more
-  double tolerance = 1e-3;           ///< of the linear solver, relative, above 0
-  /// What is tried before bodies count as stopped, in (0, 1]: this share of a step, and smaller ones down to a millionth
-  /// as long as edges in the way change by more than this share of an edge of the metric.
+  int rounds = 3;              ///< of optimisation after each step, or part of a step, 0 or more
+  double stiffening = 1.5;     ///< stiffness of a tetrahedron is 1 / volume to this power, 0 or more
+  double poisson_ratio = 0.3;  ///< of the elastic body, above -1 and below 1/2
+  int shell = 2;               ///< layers of vertices around a body that move as it does, 0 or more
+  double tolerance = 1e-3;     ///< of the linear solver, relative, above 0
+  /// What is tried before bodies count as stopped, in (0, 1]: this share of a step, and smaller ones down to a
+  /// millionth as long as edges in the way change by more than this share of an edge of the metric.
   double smallest_share = 1.0 / 64;
-  std::vector<int> sliding{};        ///< references of triangles of planar walls on which vertices may slide
+  std::vector<int> sliding{};  ///< references of triangles of planar walls on which vertices may slide
   /// The metric is that of a place in space. Or it follows the body with this reference.
   std::optional<int> metric_follows{};
   Transfer transfer = Transfer::conservative;  ///< of registered fields, where the mesh has changed
@@ -71,10 +71,10 @@ struct Obstacle {
     tangle,   ///< there is room between the surfaces, but the tetrahedra there do not follow
   };
   Reason reason = Reason::contact;
-  Point place{};   ///< the middle of the gap; of the tetrahedron that would turn over, if it is a tangle
-  int body = 0;    ///< reference of the nearest triangles that move in the step
-  int other = 0;   ///< reference of the nearest triangles that move differently or stay; that of the body if none do
-  double gap = 0;  ///< the least distance between the two near the place; 0 if none move differently
+  Point place{};    ///< the middle of the gap; of the tetrahedron that would turn over, if it is a tangle
+  int body = 0;     ///< reference of the nearest triangles that move in the step
+  int other = 0;    ///< reference of the nearest triangles that move differently or stay; that of the body if none do
+  double gap = 0;   ///< the least distance between the two near the place; 0 if none move differently
   double size = 0;  ///< of an edge of the metric across the gap
 };
 
@@ -85,11 +85,11 @@ struct Obstacle {
 struct Advance {
   double share = 0;                  ///< of the step that was done: 1 unless bodies cannot pass
   std::optional<Obstacle> obstacle;  ///< if they cannot
-  int parts = 0;                   ///< in which the step was done
-  int iterations = 0;              ///< of the linear solver, in all parts
-  bool is_changed = false;         ///< whether anything but places of vertices has changed: tetrahedra, numbers
-  std::vector<Index> new_of_old;   ///< for each point before, its index now, or AdaptResult::gone
-  std::vector<PassReport> passes;  ///< of optimisation, in all parts
+  int parts = 0;                     ///< in which the step was done
+  int iterations = 0;                ///< of the linear solver, in all parts
+  bool is_changed = false;           ///< whether anything but places of vertices has changed: tetrahedra, numbers
+  std::vector<Index> new_of_old;     ///< for each point before, its index now, or AdaptResult::gone
+  std::vector<PassReport> passes;    ///< of optimisation, in all parts
   std::vector<std::pair<std::string, double>> seconds;  ///< by phase: "solve", "move", "optimise", "transfer", "result"
 };
 

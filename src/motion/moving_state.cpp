@@ -36,12 +36,6 @@ void follow_on(std::vector<Index>& new_of_old, const std::vector<Index>& next) {
     if (point != AdaptResult::gone) point = next[point];
 }
 
-MotionOfReference motions_of(const Goal& goal, std::span<const int> bodies) {
-  MotionOfReference motions;
-  for (std::size_t i = 0; i < bodies.size(); ++i) motions[bodies[i]] = goal.motions[i];
-  return motions;
-}
-
 }  // namespace
 
 MovingState::MovingState(const Mesh& input, const Metric& target, const MotionOptions& asked)
@@ -88,7 +82,7 @@ bool MovingState::do_part(const Goal& goal, std::span<const int> bodies, Advance
   const Stopwatch move_watch;
   const Reach reach = reach_of(session_.mesh, places, left, options.smallest_share);
   if (reach.share == 0) {
-    done.obstacle = obstacle_at(*reach.in_the_way, session_, mesh, motions_of(goal, bodies));
+    done.obstacle = obstacle_at(*reach.in_the_way, session_, mesh, movers_of(goal, bodies, mesh));
     return false;
   }
   const bool metric_moved = move_metric(goal, bodies, reach.share);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -37,27 +38,21 @@ std::optional<int> nearest_reference(const Mesh& mesh, const Vec3& x, const std:
   return nearest;
 }
 
-/// Who moves how: references, those that stay among them.
-class Movers {
-public:
-  explicit Movers(const MotionOfReference& motions) : motions_(motions) {}
+bool are_alike(const RigidMotion& a, const RigidMotion& b) {
+  return a.matrix() == b.matrix() && a.offset() == b.offset();
+}
 
-  [[nodiscard]] bool moves(int reference) const { return motions_.empty() || !are_alike(motion_of(reference), {}); }
-  [[nodiscard]] bool differ(int a, int b) const {
-    return motions_.empty() ? a != b : !are_alike(motion_of(a), motion_of(b));
-  }
+bool is_moved(const Goal& goal, const std::array<Index, 3>& triangle) {
+  return std::ranges::any_of(triangle,
+                             [&](Index v) { return goal.is_driven[v] != 0 && goal.displacements[v] != Vec3{}; });
+}
 
-private:
-  static bool are_alike(const RigidMotion& a, const RigidMotion& b) {
-    return a.matrix() == b.matrix() && a.offset() == b.offset();
-  }
-  [[nodiscard]] RigidMotion motion_of(int reference) const {
-    const auto found = motions_.find(reference);
-    return found == motions_.end() ? RigidMotion{} : found->second;
-  }
+constexpr std::size_t nobody = 0;
 
-  const MotionOfReference& motions_;
-};
+std::size_t mover(const Movers& movers, int reference) {
+  const auto found = movers.find(reference);
+  return found == movers.end() ? nobody : found->second;
+}
 
 TriangleTree tree_of(const Mesh& mesh, int reference) {
   std::vector<std::array<Index, 3>> triangles;
@@ -112,12 +107,25 @@ double size_along(const TetMesh& mesh, TetId tet, const Vec3& d) {
 
 }  // namespace
 
-Obstacle obstacle_at(TetId tet, const Session& session, const Mesh& mesh, const MotionOfReference& motions) {
-  const Movers movers(motions);
+Movers movers_of(const Goal& goal, std::span<const int> bodies, const Mesh& mesh) {
+  Movers movers;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const RigidMotion& motion = goal.motions[i];
+    const auto first = std::ranges::find_if(goal.motions, [&](const RigidMotion& m) { return are_alike(m, motion); });
+    if (!are_alike(motion, {})) movers[bodies[i]] = 1 + static_cast<std::size_t>(first - goal.motions.begin());
+  }
+  if (!goal.motions.empty()) return movers;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (is_moved(goal, mesh.triangles[t])) movers.try_emplace(mesh.triangle_refs[t], 1 + movers.size());
+  return movers;
+}
+
+Obstacle obstacle_at(TetId tet, const Session& session, const Mesh& mesh, const Movers& movers) {
   Obstacle found{.reason = Obstacle::Reason::tangle, .place = middle_of(session.mesh, tet)};
-  const auto body = nearest_reference(mesh, found.place, [&](int ref) { return movers.moves(ref); });
+  const auto body = nearest_reference(mesh, found.place, [&](int ref) { return mover(movers, ref) != nobody; });
   found.body = body.value_or(0);
-  const auto other = nearest_reference(mesh, found.place, [&](int ref) { return movers.differ(ref, found.body); });
+  const auto other =
+      nearest_reference(mesh, found.place, [&](int ref) { return mover(movers, ref) != mover(movers, found.body); });
   found.other = other.value_or(found.body);
   found.size = size_along(session.mesh, tet, Vec3{});
   if (!body || !other) return found;

@@ -7,63 +7,10 @@
 
 #include "adapt/hash.hpp"
 #include "base/with_threads.hpp"
-#include "mesh/shapes.hpp"
-#include "taut/taut.hpp"
+#include "motion/room.hpp"
 
-namespace taut {
+namespace taut::test {
 namespace {
-
-constexpr int wall = 1, body = 7;
-constexpr Index cells = 9;  // of the cube per side; the body takes the middle third
-
-double distance_from_middle(const Vec3& p) {
-  return std::max({std::abs(p[0] - 0.5), std::abs(p[1] - 0.5), std::abs(p[2] - 0.5)});
-}
-
-/// The unit cube without its middle, in which the body is.
-Mesh room() {
-  Mesh mesh = test::restricted(test::cube(cells), [](const Vec3& x) { return distance_from_middle(x) > 0.5 / 3; });
-  mesh.triangles.clear();
-  mesh.triangle_refs.clear();
-  test::add_triangles(mesh);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    mesh.triangle_refs[t] = distance_from_middle(test::centre_of(mesh, mesh.triangles[t])) < 0.4 ? body : wall;
-  return adapt(mesh, Sizes(mesh.points.size(), 0.12), {.surface = Surface::fixed}).mesh;
-}
-
-MotionOptions fixed_surface(MeshChanges changes = MeshChanges::all) {
-  return {.changes = changes, .adaptation = {.surface = Surface::fixed, .max_rounds = 0}};
-}
-
-MovingMesh moving(const Mesh& mesh, const MotionOptions& options) {
-  return {mesh, Sizes(mesh.points.size(), 0.12), options};
-}
-
-double volume(const Mesh& mesh, const Tensors& metric) {
-  return measure(mesh, metric).volume;
-}
-
-RigidMotion turn(double degrees) {
-  return RigidMotion::rotation({0.5, 0.5, 0.5}, {1, 2, 3}, degrees);
-}
-
-std::vector<Point> points_of(const Mesh& mesh, int reference) {
-  std::vector<Point> points;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    if (mesh.triangle_refs[t] == reference)
-      for (const Index v : mesh.triangles[t]) points.push_back(mesh.points[v]);
-  std::ranges::sort(points);
-  return points;
-}
-
-void expect_near(const std::vector<Point>& a, const std::vector<Point>& b, double tolerance) {
-  ASSERT_EQ(a.size(), b.size());
-  for (const Point& p : a) {
-    double nearest = 1;
-    for (const Point& q : b) nearest = std::min(nearest, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
-    ASSERT_LT(nearest, tolerance);
-  }
-}
 
 struct Case {
   MeshChanges changes;
@@ -179,54 +126,6 @@ TEST(MovingMesh, AddsUpTheVelocitiesOfTheParts) {
       EXPECT_NEAR(velocities[v][0], mesh.mesh().triangle_refs[t] == body ? 0.25 : 0, 1e-9);
 }
 
-TEST(MovingMesh, StopsAtAWall) {
-  MovingMesh mesh = moving(room(), fixed_surface());
-  Advance done;
-  double way = 0;
-  for (int step = 0; step < 20 && !done.obstacle; ++step) {
-    done = mesh.advance(std::array{BodyMotion{body, RigidMotion::translation({0.05, 0, 0})}});
-    way += 0.05 * done.share;
-    EXPECT_EQ(defects(mesh.mesh()), std::vector<std::string>{});
-  }
-  EXPECT_LT(done.share, 1);
-  EXPECT_GT(way, 0.32);
-  EXPECT_LT(way, 1.0 / 3);
-  ASSERT_TRUE(done.obstacle);
-  EXPECT_EQ(done.obstacle->reason, Obstacle::Reason::contact);
-  EXPECT_EQ(done.obstacle->body, body);
-  EXPECT_EQ(done.obstacle->other, wall);
-  EXPECT_NEAR(done.obstacle->gap, 1.0 / 3 - way, 1e-12);
-  EXPECT_NEAR(done.obstacle->size, 0.12, 1e-12);
-  EXPECT_NEAR(done.obstacle->place[0], 1 - done.obstacle->gap / 2, 1e-12);
-  EXPECT_TRUE(description(*done.obstacle).starts_with("the triangles of reference 7 meet those of reference 1 near ("))
-      << description(*done.obstacle);
-}
-
-/// A step may be long: it is the change of the mesh that decides how small its parts are.
-TEST(MovingMesh, GoesFarInOneStep) {
-  MotionOptions options = fixed_surface();
-  options.smallest_share = 1.0 / 4;
-  MovingMesh mesh = moving(room(), options);
-  const Advance done = mesh.advance(std::array{BodyMotion{body, RigidMotion::translation({0.3, 0, 0})}});
-  EXPECT_EQ(done.share, 1);
-  EXPECT_FALSE(done.obstacle);
-  EXPECT_GT(done.parts, 4);
-}
-
-TEST(MovingMesh, NamesATangle) {
-  MotionOptions options = fixed_surface(MeshChanges::nothing);
-  options.smallest_share = 1;
-  MovingMesh mesh = moving(room(), options);
-  const Advance done = mesh.advance(std::array{BodyMotion{body, turn(120)}});
-  EXPECT_EQ(done.share, 0);
-  ASSERT_TRUE(done.obstacle);
-  EXPECT_EQ(done.obstacle->reason, Obstacle::Reason::tangle);
-  EXPECT_EQ(done.obstacle->body, body);
-  EXPECT_EQ(done.obstacle->other, wall);
-  EXPECT_GT(done.obstacle->gap, 0.12);
-  EXPECT_NE(description(*done.obstacle).find("would turn over near ("), std::string::npos);
-}
-
 TEST(MovingMesh, MovesPointsAsTheCallerSays) {
   const Mesh start = room();
   MovingMesh mesh = moving(start, fixed_surface());
@@ -307,9 +206,7 @@ TEST(MovingMesh, TakesANewMetric) {
 TEST(MovingMesh, RefusesWhatMakesNoSense) {
   const Mesh start = room();
   MovingMesh mesh = moving(start, fixed_surface());
-  const auto bodies = [&](std::vector<BodyMotion> list) {
-    return test::refusal(1, [&] { return mesh.advance(list); });
-  };
+  const auto bodies = [&](std::vector<BodyMotion> list) { return refusal(1, [&] { return mesh.advance(list); }); };
   EXPECT_EQ(bodies({{9, {}}}), "motion: no triangle has the reference 9");
   EXPECT_EQ(bodies({{body, {}}, {body, {}}}), "motion: the reference 7 comes twice");
   EXPECT_EQ(bodies({{body, RigidMotion::translation({0, 1e101, 0})}}),
@@ -320,21 +217,19 @@ TEST(MovingMesh, RefusesWhatMakesNoSense) {
                                                 return distance_from_middle(p) > 0.2 && distance_from_middle(p) < 0.45;
                                               }) -
                          start.points.begin());
-  const auto points = [&](std::vector<PointMotion> list) {
-    return test::refusal(1, [&] { return mesh.advance(list); });
-  };
+  const auto points = [&](std::vector<PointMotion> list) { return refusal(1, [&] { return mesh.advance(list); }); };
   EXPECT_EQ(points({{inside, {}}}), "motion: point " + std::to_string(inside) + " is not on the boundary");
   const Index corner = start.triangles[0][0];
   EXPECT_EQ(points({{corner, {NAN, 0, 0}}}),
             "motion: the displacement of point " + std::to_string(corner) + " is not finite or above 1e+100");
   EXPECT_EQ(points({{corner, {}}, {corner, {}}}), "motion: point " + std::to_string(corner) + " comes twice");
-  EXPECT_EQ(test::refusal(1, [&] { return moving(start, {.rounds = -1}); }), "-1 rounds found, expected 0 or more");
-  EXPECT_EQ(test::refusal(1, [&] { return moving(start, {.poisson_ratio = 0.5}); }),
+  EXPECT_EQ(refusal(1, [&] { return moving(start, {.rounds = -1}); }), "-1 rounds found, expected 0 or more");
+  EXPECT_EQ(refusal(1, [&] { return moving(start, {.poisson_ratio = 0.5}); }),
             "Poisson ratio 0.5 found, expected between -1 and 1/2");
-  EXPECT_EQ(test::refusal(1, [&] { return moving(start, {.smallest_share = 0}); }),
+  EXPECT_EQ(refusal(1, [&] { return moving(start, {.smallest_share = 0}); }),
             "smallest share 0 found, expected above 0, at most 1");
   EXPECT_EQ(mesh.points(), start.points);
 }
 
 }  // namespace
-}  // namespace taut
+}  // namespace taut::test

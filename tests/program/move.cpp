@@ -161,7 +161,9 @@ TEST_F(Move, ABodyIsStoppedAtAWall) {
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.out, "");
   EXPECT_TRUE(outcome.err.starts_with("taut: error: step 3: ")) << outcome.err;
-  EXPECT_NE(outcome.err.find("near ("), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("the triangles of reference 7 meet those of reference 2 near ("), std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
   EXPECT_NE(outcome.err.find("o-0003.meshb holds the last valid mesh"), std::string::npos) << outcome.err;
   EXPECT_NEAR(reach_of_hole(sound_mesh("o-0002.meshb")).second, 2.0 / 3 + 0.3, 1e-12);
   EXPECT_GE(reach_of_hole(sound_mesh("o-0003.meshb")).second, 2.0 / 3 + 0.3 - 1e-12);
@@ -169,6 +171,13 @@ TEST_F(Move, ABodyIsStoppedAtAWall) {
   const json found = report();
   ASSERT_EQ(found["steps"].size(), 4U);
   EXPECT_LT(found["steps"][3]["share"], 1);
+  const json& obstacle = found["steps"][3]["obstacle"];
+  EXPECT_EQ(obstacle["reason"], "contact");
+  EXPECT_EQ(obstacle["body"], 7);
+  EXPECT_GT(obstacle["gap"], 0);
+  EXPECT_LT(obstacle["gap"], obstacle["size"]);
+  EXPECT_EQ(obstacle["place"].size(), 3U);
+  EXPECT_TRUE(found["steps"][2]["obstacle"].is_null());
   EXPECT_TRUE(found["ended"].get<std::string>().starts_with("step 3: "));
 }
 
