@@ -66,11 +66,12 @@ struct PointMotion {
 
 /// Why bodies cannot pass, and where.
 struct Obstacle {
+  /// What kind of obstacle it is.
   enum class Reason {
     contact,  ///< two surfaces are nearer to each other than an edge of the metric
     tangle,   ///< there is room between the surfaces, but the tetrahedra there do not follow
   };
-  Reason reason = Reason::contact;
+  Reason reason = Reason::contact;  ///< see there
   Point place{};    ///< the middle of the gap; of the tetrahedron that would turn over, if it is a tangle
   int body = 0;     ///< reference of the nearest triangles that move in the step
   int other = 0;    ///< reference of the nearest triangles that move differently or stay; that of the body if none do

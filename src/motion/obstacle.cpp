@@ -43,8 +43,9 @@ bool are_alike(const RigidMotion& a, const RigidMotion& b) {
 }
 
 bool is_moved(const Goal& goal, const std::array<Index, 3>& triangle) {
-  return std::ranges::any_of(triangle,
-                             [&](Index v) { return goal.is_driven[v] != 0 && goal.displacements[v] != Vec3{}; });
+  return std::ranges::any_of(triangle, [&](Index v) {
+    return v < goal.is_driven.size() && goal.is_driven[v] != 0 && goal.displacements[v] != Vec3{};
+  });
 }
 
 constexpr std::size_t nobody = 0;

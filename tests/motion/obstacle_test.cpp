@@ -58,6 +58,21 @@ TEST(Obstacle, StopsAtAWall) {
   expect_contact(done, 1.0 / 3 - way);
 }
 
+/// Parts of one body do not meet each other.
+TEST(Obstacle, IsNoneBetweenWhatMovesAlike) {
+  constexpr int upper = 8;
+  Mesh start = room();
+  for (std::size_t t = 0; t < start.triangles.size(); ++t)
+    if (start.triangle_refs[t] == body && centre_of(start, start.triangles[t])[2] > 0.5) start.triangle_refs[t] = upper;
+  MovingMesh mesh = moving(start, fixed_surface());
+  BodyMotion other = shift(0.4);
+  other.reference = upper;
+  const Advance done = mesh.advance(std::array{shift(0.4), other});
+  ASSERT_TRUE(done.obstacle);
+  EXPECT_TRUE(done.obstacle->body == body || done.obstacle->body == upper);
+  EXPECT_EQ(done.obstacle->other, wall);
+}
+
 TEST(Obstacle, StopsPointsThatTheCallerMoves) {
   const Mesh start = room();
   MovingMesh mesh = moving(start, fixed_surface());
