@@ -271,6 +271,31 @@ TEST(MovingMesh, TakesANewMetric) {
   EXPECT_THROW(mesh.set_metric(Sizes(3, 0.1)), InputError);
 }
 
+/// Its vertices are spread for sizes that are equal in all directions, so flips alone cannot make it good in either of
+/// the metrics: almost everything has been tried in the first one.
+TEST(MovingMesh, TriesShapesAgainIfOnlyTheMetricChanged) {
+  MotionOptions options = fixed_surface(MeshChanges::flips);
+  options.rounds = 1;
+  MovingMesh mesh = moving(room(), options);
+  const auto shapes_tried = [&] {
+    std::size_t tried = 0;
+    for (const PassReport& pass : mesh.advance(std::array{BodyMotion{body, {}}}).passes)
+      if (pass.name.starts_with("swap")) tried += pass.tried;
+    return tried;
+  };
+  const auto flat_across = [&](std::size_t axis) {
+    Tensor tensor{25, 0, 0, 25, 0, 25};
+    tensor[std::array{0, 3, 5}[axis]] = 60;
+    mesh.set_metric(Tensors(mesh.points().size(), tensor));
+  };
+  flat_across(0);
+  const std::size_t first = shapes_tried();
+  for (int step = 0; step < 20; ++step) (void)shapes_tried();
+  EXPECT_LT(shapes_tried(), first / 10);
+  flat_across(1);
+  EXPECT_GT(shapes_tried(), first + first / 2);  // as many as before if only those that were never tried
+}
+
 TEST(MovingMesh, RefusesWhatMakesNoSense) {
   const Mesh start = room();
   MovingMesh mesh = moving(start, fixed_surface());
