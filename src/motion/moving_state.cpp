@@ -89,7 +89,7 @@ bool MovingState::do_part(const Goal& goal, std::span<const int> bodies, Advance
   const Stopwatch solve_watch;
   const Boundary boundary = boundary_for(goal, bodies);
   const double left = 1 - done.share;
-  const Places places = follower_.places(session_.mesh, boundary, goal, left);
+  const Places places = follower_.places(session_.mesh, boundary, goal);
   add_seconds(done, "solve", solve_watch.seconds());
 
   const Stopwatch move_watch;
