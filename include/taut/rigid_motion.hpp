@@ -45,6 +45,10 @@ public:
   /// share(-1) undoes it; share(a) * share(b) is share(a + b), all to rounding. Throws InputError if s is not finite.
   [[nodiscard]] RigidMotion share(double s) const;
 
+  /// The velocity with which the point x sets out if the motion is done in one unit of time as share() says, by which
+  /// it has to be divided if it takes longer: w x x + c for a screw of angular velocity w.
+  [[nodiscard]] Point velocity(const Point& x) const;
+
   /// The rows of R.
   [[nodiscard]] const std::array<Point, 3>& matrix() const { return matrix_; }
 
@@ -55,6 +59,8 @@ private:
   struct Parts;  // the same as quaternion and vector
   explicit RigidMotion(const Parts& parts);
   [[nodiscard]] Parts parts() const;
+  struct Screw;  // share() and velocity() see the motion as one
+  [[nodiscard]] Screw screw() const;
 
   std::array<double, 4> quaternion_ = {0, 0, 0, 1};  // x, y, z, w; of length 1
   std::array<Point, 3> matrix_ = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};

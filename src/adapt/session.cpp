@@ -71,18 +71,24 @@ void Session::refresh(std::span<const VertexId> moved) {
     const VertexId v = moved[i];
     mesh.vertices[v].m = target->at(mesh.x(v), mesh.host_of_vertex[v]);
   });
-  const auto is_at_moved = [&](std::size_t t) {
-    return std::ranges::any_of(mesh.tets[t].v, [&](VertexId v) { return has_moved[v] != 0; });
+  refresh_metrics(moved);
+}
+
+void Session::refresh_metrics(std::span<const VertexId> changed) {
+  std::vector<std::uint8_t> has_changed(mesh.vertices.size(), 0);
+  for (VertexId v : changed) has_changed[v] = 1;
+  const auto is_at_changed = [&](std::size_t t) {
+    return std::ranges::any_of(mesh.tets[t].v, [&](VertexId v) { return has_changed[v] != 0; });
   };
-  const auto changed = indices_where(mesh.tets.size(), is_at_moved);
-  std::vector<float> change(changed.size());
-  for_each_index(changed.size(), [&](std::size_t i) {
-    TetState& state = mesh.tets[changed[i]].state;
-    const float before = std::exchange(state.quality, quality_of(mesh, mesh.tets[changed[i]]));
+  const auto tets = indices_where(mesh.tets.size(), is_at_changed);
+  std::vector<float> change(tets.size());
+  for_each_index(tets.size(), [&](std::size_t i) {
+    TetState& state = mesh.tets[tets[i]].state;
+    const float before = std::exchange(state.quality, quality_of(mesh, mesh.tets[tets[i]]));
     change[i] = std::abs(state.quality - before) / std::max(before, tiny_quality);
     state.tried.measure_lengths();
   });
-  retry_shapes(mesh, changed, change);
+  retry_shapes(mesh, tets, change);
 }
 
 }  // namespace taut

@@ -29,6 +29,9 @@ struct Session {
   /// operations are worth trying again; all edges are measured again. The mesh must be without dead entities and stay
   /// valid.
   void refresh(std::span<const VertexId> moved);
+
+  /// The same where only metrics have changed.
+  void refresh_metrics(std::span<const VertexId> changed);
 };
 
 }  // namespace taut

@@ -65,7 +65,6 @@ void set_target(Session& session, const Mesh& input, const Metric& metric, const
       place_metrics(session.mesh, apply_limits(input, tensors_at(input, metric), options.limits));
   session.background = std::make_unique<const Background>(session.mesh);
   session.target = make_target(metric, options, *session.background, metrics);
-  session.measure_qualities();
 }
 
 Session set_up(const Mesh& mesh, const Metric& metric, const AdaptOptions& options, Report& report) {
@@ -82,6 +81,7 @@ Session set_up(const Mesh& mesh, const Metric& metric, const AdaptOptions& optio
   Session session{std::move(built.mesh),      std::move(model), nullptr, nullptr, std::move(built.vertex_of_point),
                   inverse(built.tet_of_input)};
   set_target(session, mesh, metric, options);
+  session.measure_qualities();
   report.expected_tetrahedra = require_ids_for(expected_tetrahedra(session.mesh));
   report.seconds.emplace_back("metric", metric_watch.seconds());
   return session;

@@ -126,13 +126,17 @@ template <class Sum, class Add>
   return sum_in_order<Sum>(Chunks(count), std::forward<Add>(add));
 }
 
-/// What add(list, i) appends to a list for each i of the chunks, in ascending order of i.
+/// What add(list, i) or add(list, i, worker) appends to a list for each i of the chunks, in ascending order of i.
 template <class T, class Add>
 [[nodiscard]] std::vector<T> collect_in_order(Chunks chunks, Add&& add) {
   std::vector<std::vector<T>> lists(chunks.size());
-  for_each_task(chunks.size(), [&](std::size_t chunk, int) {
+  for_each_task(chunks.size(), [&](std::size_t chunk, int worker) {
     std::vector<T> own;
-    for (std::size_t i = chunks.begin(chunk); i < chunks.end(chunk); ++i) add(own, i);
+    for (std::size_t i = chunks.begin(chunk); i < chunks.end(chunk); ++i)
+      if constexpr (std::is_invocable_v<Add, std::vector<T>&, std::size_t, int>)
+        add(own, i, worker);
+      else
+        add(own, i);
     lists[chunk] = std::move(own);
   });
   std::vector<std::size_t> start(1, 0);

@@ -1,6 +1,7 @@
 // The paper's preconditioner.
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -51,6 +52,7 @@ private:
     for (std::size_t e = 1; e < columns.size(); ++e)
       if (columns[e] > i)
         row_.push_back({static_cast<int>(columns[e]), A::projected(free, blocks[e], constraints_[columns[e]].free)});
+    std::ranges::sort(row_, {}, &Entry::column);
   }
 
   // The matrix is symmetric, so a row is a column.

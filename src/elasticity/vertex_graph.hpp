@@ -29,7 +29,7 @@ public:
   [[nodiscard]] std::size_t entry_count() const { return columns_.size(); }
   /// The entries of row i among all entries: first(i) to first(i + 1).
   [[nodiscard]] std::size_t first(std::size_t i) const { return first_[i]; }
-  /// The diagonal, then the neighbours of the vertex, ascending.
+  /// The diagonal, then the neighbours of the vertex in the order in which its tetrahedra name them.
   [[nodiscard]] std::span<const std::uint32_t> columns(std::size_t i) const {
     return {columns_.data() + first_[i], first_[i + 1] - first_[i]};
   }

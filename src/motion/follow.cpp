@@ -36,7 +36,7 @@ bool is_translation(const RigidMotion& motion) {
   return motion.matrix() == RigidMotion{}.matrix();
 }
 
-/// Displacements of the last step are those of the next in a frame that turns with the body. With a loose tolerance, a
+/// Velocities of the last step are those of the next in a frame that turns with the body. With a loose tolerance, a
 /// start that is not turned is worse than none; bodies that turn differently have no common frame.
 void turn_with_bodies(std::vector<Vec3>& start, const Goal& goal) {
   if (std::ranges::all_of(goal.motions, is_translation)) return;
@@ -48,17 +48,43 @@ void turn_with_bodies(std::vector<Vec3>& start, const Goal& goal) {
   });
 }
 
-std::vector<Constraint<Vec3>> displacement_constraints(const TetMesh& mesh, const Boundary& boundary,
-                                                       const Goal& whole) {
+std::vector<Constraint<Vec3>> velocity_constraints(const TetMesh& mesh, const Boundary& boundary, const Goal& goal) {
   std::vector<Constraint<Vec3>> constraints(mesh.vertices.size());
   for_each_index(constraints.size(), [&](std::size_t v) {
     const Role& role = boundary.roles[v];
     const Vec3& x = mesh.vertices[v].x;
     if (role.driver == Driver::wall) constraints[v] = prescribed(Vec3{});
     if (role.driver == Driver::slide) constraints[v] = boundary.sliding[v];
-    if (role.driver == Driver::body) constraints[v] = prescribed(whole.place(role, mesh.origin_of_vertex[v], x) - x);
+    if (role.driver == Driver::body) constraints[v] = prescribed(goal.velocity(role, mesh.origin_of_vertex[v], x));
   });
   return constraints;
+}
+
+// What comes nearest to the velocity among the motions of the bodies, each done to a share.
+struct Carried {
+  std::size_t body = 0;
+  double share = 0;
+  Vec3 rest;  // of the velocity
+};
+
+Carried carried_by(const Goal& goal, const Vec3& x, const Vec3& velocity) {
+  Carried best{.rest = velocity};
+  for (std::size_t body = 0; body < goal.motions.size(); ++body) {
+    const Vec3 whole = goal.motions[body].velocity(x);
+    const double square = dot(whole, whole);
+    const double share = square > 0 ? std::clamp(dot(velocity, whole) / square, 0.0, 1.0) : 0;
+    const Vec3 rest = velocity - share * whole;
+    if (dot(rest, rest) < dot(best.rest, best.rest)) best = {body, share, rest};
+  }
+  return best;
+}
+
+// On the screw of the body, and straight on with the rest. Straight ways alone would lead everything away from the axis
+// of a body that turns (chords: towards it), by several percent per turn.
+Vec3 way(const Goal& goal, const Vec3& x, const Vec3& velocity, double share) {
+  const Carried carried = carried_by(goal, x, velocity);
+  if (carried.share == 0) return share * velocity;
+  return Vec3{goal.motions[carried.body].share(share * carried.share)(x)} - x + share * carried.rest;
 }
 
 std::vector<Constraint<double>> share_constraints(const Boundary& boundary, std::size_t body) {
@@ -85,28 +111,32 @@ std::vector<Value> Follower::solved(const VertexSystem<Value>& system,
   return std::move(solution.values);
 }
 
-Places Follower::places(const TetMesh& mesh, const Boundary& boundary, const Goal& goal, double most) {
+Places Follower::places(const TetMesh& mesh, const Boundary& boundary, const Goal& goal) {
   if (!graph_) graph_.emplace(mesh);
   const bool is_rigid = !goal.motions.empty();
   return options_.following == Following::share && is_rigid ? by_shares(mesh, boundary, goal)
-                                                            : elastic(mesh, boundary, goal, most);
+                                                            : elastic(mesh, boundary, goal);
 }
 
-Places Follower::elastic(const TetMesh& mesh, const Boundary& boundary, const Goal& goal, double most) {
+Places Follower::elastic(const TetMesh& mesh, const Boundary& boundary, const Goal& goal) {
   ElasticSystem system(*graph_);
   system.assemble(elements_of(mesh, {.exponent = options_.stiffening}), {.poisson_ratio = options_.poisson_ratio});
-  const auto constraints = displacement_constraints(mesh, boundary, goal.part(most));
-  std::vector<Vec3> start = start_from(last_displacements_, mesh);
+  std::vector<Vec3> start = start_from(last_velocities_, mesh);
   turn_with_bodies(start, goal);
-  auto whole = solved<Vec3>(system, constraints, start);
-  last_displacements_ = by_point(whole, mesh);
-  return [&mesh, &boundary, &goal, most, whole = std::move(whole)](double share) {
+  auto velocities = solved<Vec3>(system, velocity_constraints(mesh, boundary, goal), start);
+  last_velocities_ = by_point(velocities, mesh);
+  return [&mesh, &boundary, &goal, velocities = std::move(velocities)](double share) {
     const Goal part = goal.part(share);
-    std::vector<Vec3> x(whole.size());
+    std::vector<Vec3> x(velocities.size());
     for_each_index(x.size(), [&](std::size_t v) {
       const Role& role = boundary.roles[v];
-      x[v] = role.driver == Driver::body ? part.place(role, mesh.origin_of_vertex[v], mesh.vertices[v].x)
-                                         : mesh.vertices[v].x + (share / most) * whole[v];
+      const Vec3& from = mesh.vertices[v].x;
+      const std::uint32_t point = mesh.origin_of_vertex[v];
+      const auto free_way = [&] { return way(goal, from, velocities[v], share); };
+      x[v] = role.driver == Driver::body    ? part.place(role, point, from)
+             : role.driver == Driver::slide ? from + boundary.sliding[v].free * free_way()
+             : role.driver == Driver::wall  ? from
+                                            : from + free_way();
     });
     return x;
   };

@@ -16,9 +16,9 @@ class Follower {
 public:
   explicit Follower(const MotionOptions& options) : options_(options) {}
 
-  /// The places of the vertices after each share, from 0 to `most`, of the goal. Throws Failure if the solver does not
-  /// converge. The result refers to the mesh, the boundary and the goal.
-  [[nodiscard]] Places places(const TetMesh& mesh, const Boundary& boundary, const Goal& goal, double most);
+  /// The places of the vertices after each share of the goal. Throws Failure if the solver does not converge. The
+  /// result refers to the mesh, the boundary and the goal.
+  [[nodiscard]] Places places(const TetMesh& mesh, const Boundary& boundary, const Goal& goal);
 
   /// Solver iterations so far.
   [[nodiscard]] int iterations() const { return iterations_; }
@@ -27,7 +27,7 @@ public:
   void forget_connectivity() { graph_.reset(); }
 
 private:
-  [[nodiscard]] Places elastic(const TetMesh& mesh, const Boundary& boundary, const Goal& goal, double most);
+  [[nodiscard]] Places elastic(const TetMesh& mesh, const Boundary& boundary, const Goal& goal);
   [[nodiscard]] Places by_shares(const TetMesh& mesh, const Boundary& boundary, const Goal& goal);
   [[nodiscard]] std::vector<double> share_of(const ShareSystem& system, const TetMesh& mesh, const Boundary& boundary,
                                              std::size_t body);
@@ -39,7 +39,7 @@ private:
   const MotionOptions& options_;
   std::optional<VertexGraph> graph_;
   int iterations_ = 0;
-  std::vector<Vec3> last_displacements_;          // by point
+  std::vector<Vec3> last_velocities_;             // by point
   std::vector<std::vector<double>> last_shares_;  // by body and point
 };
 

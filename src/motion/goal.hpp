@@ -27,6 +27,11 @@ struct Goal {
   [[nodiscard]] Vec3 place(const Role& role, std::uint32_t point, const Vec3& x) const {
     return motions.empty() ? x + displacements[point] : motions[role.body](x);
   }
+
+  /// With which velocity it sets out, if the step takes one unit of time.
+  [[nodiscard]] Vec3 velocity(const Role& role, std::uint32_t point, const Vec3& x) const {
+    return motions.empty() ? displacements[point] : Vec3{motions[role.body].velocity(x)};
+  }
 };
 
 }  // namespace taut

@@ -30,6 +30,18 @@ void add_seconds(Advance& done, const char* phase, double seconds) {
     done.seconds.emplace_back(phase, seconds);
 }
 
+template <class Wanted>
+std::vector<VertexId> vertices_where(const TetMesh& mesh, Wanted wanted) {
+  std::vector<VertexId> vertices;
+  for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i)
+    if (const auto v = static_cast<VertexId>(i); wanted(v)) vertices.push_back(v);
+  return vertices;
+}
+
+std::vector<VertexId> all_vertices(const TetMesh& mesh) {
+  return vertices_where(mesh, [](VertexId) { return true; });
+}
+
 // Of both, one after the other.
 void follow_on(std::vector<Index>& new_of_old, const std::vector<Index>& next) {
   for (Index& point : new_of_old)
@@ -76,7 +88,7 @@ bool MovingState::do_part(const Goal& goal, std::span<const int> bodies, Advance
   const Stopwatch solve_watch;
   const Boundary boundary = boundary_for(goal, bodies);
   const double left = 1 - done.share;
-  const Places places = follower_.places(session_.mesh, boundary, goal, left);
+  const Places places = follower_.places(session_.mesh, boundary, goal);
   add_seconds(done, "solve", solve_watch.seconds());
 
   const Stopwatch move_watch;
@@ -87,7 +99,7 @@ bool MovingState::do_part(const Goal& goal, std::span<const int> bodies, Advance
   }
   const bool metric_moved = move_metric(goal, bodies, reach.share);
   const auto moved = move_to(reach.places);
-  metric_moved ? refresh_all() : refresh(moved);
+  refresh(metric_moved ? all_vertices(session_.mesh) : moved);
   add_seconds(done, "move", move_watch.seconds());
   done.share += reach.share;
   // Points that the caller moves keep their numbers until they have arrived.
@@ -98,11 +110,11 @@ bool MovingState::do_part(const Goal& goal, std::span<const int> bodies, Advance
 }
 
 // Returns the vertices that have moved.
-std::vector<std::uint32_t> MovingState::move_to(const std::vector<Vec3>& places) {
+std::vector<VertexId> MovingState::move_to(const std::vector<Vec3>& places) {
   displacements_ = displacements();
   displaced_.reset();
   TetMesh& work = session_.mesh;
-  auto moved = indices_where(places.size(), [&](std::size_t v) { return places[v] != work.vertices[v].x; });
+  const auto moved = vertices_where(work, [&](VertexId v) { return places[v] != work.x(v); });
   for_each_index(moved.size(), [&](std::size_t i) {
     Vec3& x = work.vertices[moved[i]].x;
     const std::uint32_t point = work.origin_of_vertex[moved[i]];
@@ -122,15 +134,13 @@ bool MovingState::move_metric(const Goal& goal, std::span<const int> bodies, dou
   return true;
 }
 
-void MovingState::refresh(const std::vector<std::uint32_t>& changed) {
-  std::vector<VertexId> vertices(changed.size());
-  std::ranges::transform(changed, vertices.begin(), [](std::uint32_t v) { return static_cast<VertexId>(v); });
-  session_.refresh(vertices);
-  for (const VertexId v : vertices) metric[session_.mesh.origin_of_vertex[v]] = session_.mesh.vertices[v].m;
+void MovingState::refresh(std::span<const VertexId> moved) {
+  session_.refresh(moved);
+  take_metrics(moved);
 }
 
-void MovingState::refresh_all() {
-  refresh(indices_where(session_.mesh.vertices.size(), [](std::size_t) { return true; }));
+void MovingState::take_metrics(std::span<const VertexId> changed) {
+  for (const VertexId v : changed) metric[session_.mesh.origin_of_vertex[v]] = session_.mesh.vertices[v].m;
 }
 
 void MovingState::optimise(bool vertices_may_change, Advance& done) {
@@ -180,7 +190,9 @@ std::vector<Point> MovingState::displacements() const {
 void MovingState::set_metric(const Metric& given) {
   set_target(session_, mesh, given, options.adaptation);
   metric_placement_ = {};
-  refresh_all();
+  const auto all = all_vertices(session_.mesh);
+  session_.refresh_metrics(all);
+  take_metrics(all);
 }
 
 }  // namespace taut

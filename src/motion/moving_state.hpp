@@ -30,10 +30,10 @@ public:
 private:
   [[nodiscard]] Boundary boundary_for(const Goal& goal, std::span<const int> bodies) const;
   [[nodiscard]] bool do_part(const Goal& goal, std::span<const int> bodies, Advance& done);
-  [[nodiscard]] std::vector<std::uint32_t> move_to(const std::vector<Vec3>& places);
+  [[nodiscard]] std::vector<VertexId> move_to(const std::vector<Vec3>& places);
   [[nodiscard]] bool move_metric(const Goal& goal, std::span<const int> bodies, double share);
-  void refresh(const std::vector<std::uint32_t>& changed);
-  void refresh_all();
+  void refresh(std::span<const VertexId> moved);
+  void take_metrics(std::span<const VertexId> changed);
   void optimise(bool vertices_may_change, Advance& done);
   void renew_mesh(Advance& done);
   void transfer_fields_to(const Mesh& next, Advance& done);

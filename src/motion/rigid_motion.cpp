@@ -101,20 +101,39 @@ RigidMotion RigidMotion::inverse() const {
   return RigidMotion({back, -(back.toRotationMatrix() * offset)});
 }
 
+struct RigidMotion::Screw {
+  double half = 0;  // of the angle, which is half a turn or less
+  double sine = 0;  // of `half`
+  Vector3d axis = Vector3d::Zero(), along = Vector3d::Zero(), across = Vector3d::Zero();  // parts of the offset
+};
+
+RigidMotion::Screw RigidMotion::screw() const {
+  const auto [given, offset] = parts();
+  const Quaterniond turn = shorter(given);
+  const double sine = turn.vec().stableNorm();
+  if (sine == 0) return {.along = offset};
+  const Vector3d axis = turn.vec() / sine;
+  const Vector3d along = axis.dot(offset) * axis;
+  return {std::atan2(sine, turn.w()), sine, axis, along, offset - along};
+}
+
 // Across the axis, where vectors are complex numbers, the offset of a rotation by the angle a is c (1 - exp(i a)) for
 // the centre c. So that of the share is the whole offset times (1 - exp(i s a)) / (1 - exp(i a)), which is
 // exp(i (s - 1) a / 2) sin(s a / 2) / sin(a / 2). Small angles, whose centre is far away, lose no digits.
 RigidMotion RigidMotion::share(double s) const {
   require_finite("share", s);
-  const auto [given, offset] = parts();
-  const Quaterniond turn = shorter(given);
-  const double sine = turn.vec().stableNorm();
-  if (sine == 0) return RigidMotion({Quaterniond::Identity(), s * offset});
-  const double half = std::atan2(sine, turn.w());
-  const Vector3d axis = turn.vec() / sine;
-  const Vector3d along = axis.dot(offset) * axis;
-  const Vector3d across = AngleAxisd((s - 1) * half, axis) * Vector3d(offset - along);
+  const auto [half, sine, axis, along, whole] = screw();
+  if (sine == 0) return RigidMotion({Quaterniond::Identity(), s * along});
+  const Vector3d across = AngleAxisd((s - 1) * half, axis) * whole;
   return RigidMotion({Quaterniond(AngleAxisd(2 * s * half, axis)), s * along + std::sin(s * half) / sine * across});
+}
+
+// The derivative of share(s) at 0.
+Point RigidMotion::velocity(const Point& x) const {
+  const auto [half, sine, axis, along, whole] = screw();
+  Vector3d v = along;
+  if (sine != 0) v += 2 * half * axis.cross(vector_of(x)) + half / sine * (AngleAxisd(-half, axis) * whole);
+  return {v[0], v[1], v[2]};
 }
 
 }  // namespace taut

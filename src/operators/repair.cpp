@@ -2,6 +2,7 @@
 
 #include "operators/collapse.hpp"
 #include "operators/lift.hpp"
+#include "operators/swap.hpp"
 
 namespace taut {
 
@@ -17,6 +18,12 @@ Outcome repair(Kernel& kernel, TetId t, const RepairRules& rules) {
   }
   for (int e = 0; rules.may_collapse && e < 6; ++e) {
     outcome = collapse_edge(kernel, t, e, collapse);
+    if (outcome == Outcome::accepted) return outcome;
+    put_off |= outcome == Outcome::put_off;
+  }
+  const SwapRules swap{.gain = rules.gain, .longest_new_edge = rules.longest_new_edge};
+  for (int e = 0; e < 6; ++e) {
+    outcome = swap_edge(kernel, t, e, swap);
     if (outcome == Outcome::accepted) return outcome;
     put_off |= outcome == Outcome::put_off;
   }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "elasticity/problems.hpp"
 
@@ -27,7 +28,7 @@ TEST(VertexGraph, HasTheEdgesOfTheMesh) {
   for (std::uint32_t i = 0; i < graph.size(); ++i) {
     const auto columns = graph.columns(i);
     EXPECT_EQ(columns[0], i);
-    EXPECT_TRUE(std::is_sorted(columns.begin() + 1, columns.end()));
+    EXPECT_EQ(std::set(columns.begin(), columns.end()).size(), columns.size());
     for (const std::uint32_t j : columns) {
       const auto back = graph.columns(j);
       EXPECT_NE(std::find(back.begin(), back.end(), i), back.end());

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 
 #include "base/sym3.hpp"
@@ -62,6 +63,19 @@ TEST(RigidMotion, RotationKeepsItsAxis) {
   const RigidMotion rotation = RigidMotion::rotation(centre, axis, 77);
   expect_near(rotation(centre), centre, 1e-15);
   expect_near(rotation(centre + 3 * axis), centre + 3 * axis, 1e-14);
+}
+
+TEST(RigidMotion, SetsOutWithTheVelocityOfItsScrew) {
+  constexpr double h = 1e-4;
+  std::mt19937 random(5);
+  for (const double degrees : {1e-6, 1.0, 90.0, 179.0}) {
+    const RigidMotion motion = any(random, degrees);
+    const Point difference = motion.share(h)(somewhere) - motion.share(-h)(somewhere);
+    expect_near(motion.velocity(somewhere), 1 / (2 * h) * difference, 1e-6);
+  }
+  expect_near(RigidMotion::translation({1, 2, 3}).velocity(somewhere), {1, 2, 3}, 0);
+  expect_near(RigidMotion::rotation({0, 0, 0}, {0, 0, 1}, 180 / std::numbers::pi).velocity({2, 0, 7}), {0, 2, 0},
+              1e-15);
 }
 
 TEST(RigidMotion, AWholeTurnInManyStepsComesBack) {
