@@ -62,36 +62,36 @@ TriangleTree tree_of(const Mesh& mesh, int reference) {
   return {mesh.points, triangles};
 }
 
-/// A way from one surface to another.
-struct Way {
+/// A straight line from one surface to another.
+struct Gap {
   Vec3 from, to;
-  [[nodiscard]] double length() const { return norm(to - from); }
+  [[nodiscard]] double width() const { return norm(to - from); }
 };
 
-/// The shortest way that begins at a vertex of a reference, and not farther from x than `radius`; `best` if no way is
-/// shorter.
-Way shortest_from(const Mesh& mesh, int reference, const TriangleTree& to, const Vec3& x, double radius, Way best) {
+/// The narrowest gap that begins at a vertex of a reference, and not farther from x than `radius`; `best` if none is
+/// narrower.
+Gap narrowest_from(const Mesh& mesh, int reference, const TriangleTree& to, const Vec3& x, double radius, Gap best) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (mesh.triangle_refs[t] != reference) continue;
     for (const Index v : mesh.triangles[t]) {
       const Vec3& from = mesh.points[v];
       if (norm(from - x) > radius) continue;
-      const Way way{from, to.closest(from).point};
-      if (way.length() < best.length()) best = way;
+      const Gap gap{from, to.closest(from).point};
+      if (gap.width() < best.width()) best = gap;
     }
   }
   return best;
 }
 
-/// The shortest way from surface a to b near x, which is within some edges of it. A way between two edges is at most
-/// replaced by one from a vertex, which is hardly longer.
-Way across(const Mesh& mesh, int a, int b, const Vec3& x, double edge) {
+/// The narrowest gap between surfaces a and b near x, where `edge` is a length of edges. If it is between two edges,
+/// the one from a vertex is hardly wider.
+Gap gap_between(const Mesh& mesh, int a, int b, const Vec3& x, double edge) {
   const TriangleTree on_a = tree_of(mesh, a), on_b = tree_of(mesh, b);
   const Vec3 start = on_a.closest(x).point;
-  const Way first{start, on_b.closest(start).point};
-  const double radius = 2 * (edge + first.length());
-  const Way there = shortest_from(mesh, a, on_b, x, radius, first);
-  const Way back = shortest_from(mesh, b, on_a, x, radius, {there.to, there.from});
+  const Gap first{start, on_b.closest(start).point};
+  const double radius = 2 * (edge + first.width());
+  const Gap there = narrowest_from(mesh, a, on_b, x, radius, first);
+  const Gap back = narrowest_from(mesh, b, on_a, x, radius, {there.to, there.from});
   return {back.to, back.from};
 }
 
@@ -130,12 +130,12 @@ Obstacle obstacle_at(TetId tet, const Session& session, const Mesh& mesh, const 
   found.other = other.value_or(found.body);
   found.size = size_along(session.mesh, tet, Vec3{});
   if (!body || !other) return found;
-  const Way way = across(mesh, *body, *other, found.place, found.size);
-  found.gap = way.length();
-  found.size = size_along(session.mesh, tet, way.to - way.from);
+  const Gap gap = gap_between(mesh, *body, *other, found.place, found.size);
+  found.gap = gap.width();
+  found.size = size_along(session.mesh, tet, gap.to - gap.from);
   if (found.gap < found.size) {
     found.reason = Obstacle::Reason::contact;
-    found.place = 0.5 * (way.from + way.to);
+    found.place = 0.5 * (gap.from + gap.to);
   }
   return found;
 }
