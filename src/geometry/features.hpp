@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/surface_edges.hpp"
+#include "surface/surface_edges.hpp"
 #include "mesh/build.hpp"
 #include "taut/mesh.hpp"
 

@@ -9,7 +9,7 @@
 #include "mesh/door.hpp"
 #include "mesh/edges.hpp"
 #include "sizing/double_projection.hpp"
-#include "sizing/neighbourhood.hpp"
+#include "mesh/neighbourhood.hpp"
 #include "sizing/nodal.hpp"
 #include "taut/error.hpp"
 #include "taut/sizing.hpp"

@@ -13,7 +13,7 @@
 #include "metric/field.hpp"
 #include "metric/intersection.hpp"
 #include "sizing/growth.hpp"
-#include "sizing/neighbourhood.hpp"
+#include "mesh/neighbourhood.hpp"
 #include "taut/error.hpp"
 
 namespace taut {
