@@ -40,10 +40,10 @@ struct ClosestPoint {
 /// The surface is parted into patches at ridges. These are: edges where triangles of different reference meet, or other
 /// than two; edges of the mesh that are marked as ridges or as required; edges by angle. Without an angle, an edge is a
 /// ridge if the normals of its triangles differ by more than 15 degrees, and those of quadrics that are fitted to the
-/// surface on either side alone do too, by more than 0.6 of that. So coarse meshes of spheres, up to 35 degrees an edge,
-/// have no ridges, and roofs of 20 degrees have one. For edges of the mesh that are not marked, 5 degrees suffice; the
-/// seams that meshers write into smooth surfaces are none. Corners are where ridges end, meet, change their reference or
-/// turn sharply, the mesh's corners and required points on ridges, and the apexes of cones.
+/// surface on either side alone do too, by more than 0.6 of that. So coarse meshes of spheres, up to 35 degrees an
+/// edge, have no ridges, and roofs of 20 degrees have one. For edges of the mesh that are not marked, 5 degrees
+/// suffice; the seams that meshers write into smooth surfaces are none. Corners are where ridges end, meet, change
+/// their reference or turn sharply, the mesh's corners and required points on ridges, and the apexes of cones.
 ///
 /// Normals are those of polynomials of degree 2 to 4, fitted to the points around on the same side of all ridges
 /// (Cazals and Pouget 2005), in the frame of Max's normals (Max 1999). Over each triangle there is a cubic patch
@@ -52,9 +52,9 @@ struct ClosestPoint {
 /// edges a radian its distance from the true surface falls with the third to fourth power of n.
 class TAUT_EXPORT Geometry {
 public:
-  /// From the triangles of `mesh`, and those that are missing on the boundary of its tetrahedra and between its regions;
-  /// it need not have tetrahedra. Throws InputError for a mesh that cannot be used or has no triangles, and for an angle
-  /// out of range.
+  /// From the triangles of `mesh`, and those that are missing on the boundary of its tetrahedra and between its
+  /// regions; it need not have tetrahedra. Throws InputError for a mesh that cannot be used or has no triangles, and
+  /// for an angle out of range.
   explicit Geometry(const Mesh& mesh, const GeometryOptions& options = {});
 
   /// The point of the surface that is closest to x. Throws InputError for coordinates that are not finite.

@@ -7,8 +7,8 @@
 #include "geometry/frozen.hpp"
 #include "geometry/lines.hpp"
 #include "geometry/patches.hpp"
-#include "surface/surface_edges.hpp"
 #include "geometry/tags.hpp"
+#include "surface/surface_edges.hpp"
 
 namespace taut {
 namespace {

@@ -41,8 +41,7 @@ std::vector<Tilts> tilts_of(const Facets& facets, const Sectors& sectors) {
 
 }  // namespace
 
-std::vector<std::uint8_t> find_apexes(const Facets& facets, const Sectors& sectors,
-                                      std::span<const RidgeEdge> ridges) {
+std::vector<std::uint8_t> find_apexes(const Facets& facets, const Sectors& sectors, std::span<const RidgeEdge> ridges) {
   const std::vector<Tilts> tilts = tilts_of(facets, sectors);
   std::vector<std::uint8_t> is_apex(facets.points.size(), 0);
   for (std::size_t s = 0; s < tilts.size(); ++s)

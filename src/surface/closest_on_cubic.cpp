@@ -11,33 +11,43 @@ namespace {
 
 constexpr int most_iterations = 30;
 constexpr int most_halvings = 12;
-constexpr double rounding = 1 + 1e-14;   ///< of the squared distance: near the minimum it hides what a step gains
+constexpr double rounding = 1 + 1e-14;  ///< of the squared distance: near the minimum it hides what a step gains
 constexpr double smallest_step = 1e-7;  ///< Newton's method squares the error: the step after it is not seen
 
 using Weights = std::array<double, 3>;
 using Step = std::array<double, 3>;  ///< of the weights: its sum is 0
 
-/// Half of the squared distance near a place on the patch, as a quadratic function of the weights of corners 1 and 2.
-struct Model {
-  double u = 0, v = 0;             ///< gradient
-  double uu = 0, uv = 0, vv = 0;   ///< Hessian, positive definite: of Gauss and Newton where the full one is not
+/// A quadratic form of the weights of corners 1 and 2.
+struct Form {
+  double uu, uv, vv;
+
+  [[nodiscard]] double determinant() const { return uu * vv - uv * uv; }
+  [[nodiscard]] double along(const Step& s) const { return uu * s[1] * s[1] + 2 * uv * s[1] * s[2] + vv * s[2] * s[2]; }
 };
 
+/// Half of the squared distance near a place on the patch.
+struct Model {
+  double u, v;                 ///< gradient
+  Form hessian, gauss_newton;  ///< the second one is positive definite, and takes the place of the first if that is not
+};
+
+constexpr double least_share_of_form = 1e-3;  ///< of the second form that the first one must have to be used
+
 Model model_at(const SurfacePoint& s, const Vec3& from) {
-  const double uu = dot(s.u, s.u), uv = dot(s.u, s.v), vv = dot(s.v, s.v);
-  Model m{dot(from, s.u), dot(from, s.v), uu + dot(from, s.uu), uv + dot(from, s.uv), vv + dot(from, s.vv)};
-  const double determinant = m.uu * m.vv - m.uv * m.uv;
-  if (m.uu > 0 && determinant > 1e-3 * (uu * vv - uv * uv)) return m;
-  // A patch without area has a singular matrix.
-  const double regular = 1e-10 * (uu + vv);
-  m.uu = uu + regular, m.uv = uv, m.vv = vv + regular;
-  return m;
+  const Form flat{dot(s.u, s.u), dot(s.u, s.v), dot(s.v, s.v)};
+  const double regular = 1e-10 * (flat.uu + flat.vv);  // a patch without area has a singular matrix
+  return {dot(from, s.u),
+          dot(from, s.v),
+          {flat.uu + dot(from, s.uu), flat.uv + dot(from, s.uv), flat.vv + dot(from, s.vv)},
+          {flat.uu + regular, flat.uv, flat.vv + regular}};
 }
 
 Step newton_step(const Model& m) {
-  const double determinant = m.uu * m.vv - m.uv * m.uv;
-  if (!(determinant > 0)) return {};
-  const double u = (m.uv * m.v - m.vv * m.u) / determinant, v = (m.uv * m.u - m.uu * m.v) / determinant;
+  const bool is_minimum =
+      m.hessian.uu > 0 && m.hessian.determinant() > least_share_of_form * m.gauss_newton.determinant();
+  const Form& f = is_minimum ? m.hessian : m.gauss_newton;
+  if (!(f.determinant() > 0)) return {};
+  const double u = (f.uv * m.v - f.vv * m.u) / f.determinant(), v = (f.uv * m.u - f.uu * m.v) / f.determinant();
   return {-u - v, u, v};
 }
 
@@ -56,8 +66,8 @@ Step step_on_border(const Weights& w, const Model& m) {
     Step along{};
     along[(k + 1) % 3] = 1, along[(k + 2) % 3] = -1;
     const double slope = m.u * along[1] + m.v * along[2];
-    const double curvature =
-        m.uu * along[1] * along[1] + 2 * m.uv * along[1] * along[2] + m.vv * along[2] * along[2];
+    const double full = m.hessian.along(along), flat = m.gauss_newton.along(along);
+    const double curvature = full > least_share_of_form * flat ? full : flat;
     if (!(curvature > 0)) continue;
     for (double& a : along) a *= -slope / curvature;
     const double gain = slope * slope / curvature;

@@ -28,8 +28,8 @@ struct CubicTriangle {
 /// `weights` of the corners have the sum 1.
 [[nodiscard]] SurfacePoint evaluate(const CubicTriangle& t, const std::array<double, 3>& weights);
 
-/// No point of the patch is farther from the flat triangle between its corners: the distance of a convex set is
-/// largest at a Bezier point.
+/// No point of the patch is farther from the flat triangle between its corners: the distance from a convex set is
+/// largest at a Bezier point, here of the quarters of the patch.
 [[nodiscard]] double deviation_bound(const CubicTriangle& t);
 
 }  // namespace taut

@@ -48,8 +48,8 @@ public:
   [[nodiscard]] const Facets& facets() const { return facets_; }
   [[nodiscard]] const CubicTriangle& cubic_of(TriangleId t) const { return cubics_[t]; }
 
-  /// The point of the patch that is closest to x. A good guess, such as the triangle found for a point nearby, makes the
-  /// search faster and does not change the answer.
+  /// The point of the patch that is closest to x. A good guess, such as the triangle found for a point nearby, makes
+  /// the search faster and does not change the answer.
   [[nodiscard]] OnPatch closest_on(PatchId patch, const Vec3& x, TriangleId guess = none) const;
   /// The same of all patches together.
   [[nodiscard]] OnPatch closest(const Vec3& x) const;
@@ -72,9 +72,9 @@ private:
   void search(PatchId patch, const Vec3& x, OnPatch& best) const;
 
   Facets facets_;
-  std::vector<PatchId> patch_of_;      ///< by triangle
-  std::vector<CubicTriangle> cubics_;  ///< by triangle
-  std::vector<Sym3> shapes_;           ///< by sector
+  std::vector<PatchId> patch_of_;                         ///< by triangle
+  std::vector<CubicTriangle> cubics_;                     ///< by triangle
+  std::vector<Sym3> shapes_;                              ///< by sector
   std::vector<std::array<std::uint32_t, 3>> sectors_of_;  ///< by triangle
   std::vector<ReferencePatch> patches_;
   std::vector<ReferenceCurve> curves_;

@@ -20,7 +20,9 @@ double degrees_between(const Vec3& a, const Vec3& b) {
 class RidgeGraph {
 public:
   RidgeGraph(const std::vector<Vec3>& points, std::span<const RidgeEdge> ridges)
-      : points_(points), ridges_(ridges), edges_at_(gather<Index>(ridges.size(), points.size(), [&](std::size_t e, auto put) {
+      : points_(points),
+        ridges_(ridges),
+        edges_at_(gather<Index>(ridges.size(), points.size(), [&](std::size_t e, auto put) {
           for (const VertexId v : ridges[e].edge) put(v, static_cast<Index>(e));
         })) {}
 
@@ -97,11 +99,13 @@ std::vector<CubicSegment> segments_of(const RidgeCurve& curve, const std::vector
   std::vector<Vec3> x;
   for (const VertexId v : curve.vertices) x.push_back(points[v]);
   std::vector<Vec3> tangents = tangents_of(x, is_smooth_loop);
-  for (std::size_t i = 0; i < x.size(); ++i) tangents[i] = unit_or(tangents[i], x[i > 0 ? i : 1] - x[i > 0 ? i - 1 : 0]);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    tangents[i] = unit_or(tangents[i], x[i > 0 ? i : 1] - x[i > 0 ? i - 1 : 0]);
   std::vector<CubicSegment> segments;
   for (std::size_t i = 0; i + 1 < x.size(); ++i) {
     const Vec3 e = x[i + 1] - x[i];
-    segments.push_back({x[i], x[i] + handle_along(e, tangents[i]), x[i + 1] - handle_along(e, tangents[i + 1]), x[i + 1]});
+    segments.push_back(
+        {x[i], x[i] + handle_along(e, tangents[i]), x[i + 1] - handle_along(e, tangents[i + 1]), x[i + 1]});
   }
   return segments;
 }

@@ -47,9 +47,9 @@ std::vector<GivenEdge> given_edges_of(const Mesh& mesh) {
   std::stable_sort(edges.begin(), edges.end(), [](const GivenEdge& a, const GivenEdge& b) {
     return a.edge != b.edge ? a.edge < b.edge : a.sharp && !b.sharp;
   });
-  edges.erase(std::unique(edges.begin(), edges.end(),
-                          [](const GivenEdge& a, const GivenEdge& b) { return a.edge == b.edge; }),
-              edges.end());
+  edges.erase(
+      std::unique(edges.begin(), edges.end(), [](const GivenEdge& a, const GivenEdge& b) { return a.edge == b.edge; }),
+      edges.end());
   return edges;
 }
 

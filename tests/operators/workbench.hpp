@@ -11,12 +11,12 @@
 
 #include "adapt/setup.hpp"
 #include "geometry/classified.hpp"
-#include "surface/surface_edges.hpp"
 #include "mesh/invariants.hpp"
 #include "mesh/shapes.hpp"
 #include "metric/quality.hpp"
 #include "metric/random_metrics.hpp"
 #include "operators/kernel.hpp"
+#include "surface/surface_edges.hpp"
 
 namespace taut::test {
 

@@ -2,9 +2,9 @@
 
 #include <set>
 
-#include "surface/sectors.hpp"
 #include "geometry/features.hpp"
 #include "mesh/shapes.hpp"
+#include "surface/sectors.hpp"
 
 namespace taut {
 namespace {
