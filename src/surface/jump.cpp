@@ -1,9 +1,8 @@
 #include "surface/jump.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-
-#include "surface/jet.hpp"
 
 namespace taut {
 namespace {
@@ -13,26 +12,42 @@ constexpr std::size_t fewest_points_by_normal = 6;
 constexpr int most_rings_of_side = 2;
 constexpr double least_cosine_of_side = 0.2;          ///< to the triangle at the edge: the surface folds beyond
 constexpr double largest_cosine_of_fold = 0.8660254;  ///< 30 degrees: an edge that turns by less is no end of a side
+constexpr double smallest_eigenvalue_of_side = 2e-3;  ///< of scaled normal equations: what is smaller is not determined
+constexpr double nearest_of_side = 0.04;  ///< squared, as a share of the farthest: nearer points do not weigh more
 
 template <class Id>
 bool holds(const std::vector<Id>& ids, Id id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
-Vec3 unit(const Vec3& a) {
-  const double length = norm(a);
-  return length > 0 ? 1 / length * a : a;
+/// The slope, along e and f, of the quadratic height over the plane across the normal that fits the offsets best. Of
+/// what they do not determine the least: two rows of points show no more than a share of the curvature across them.
+std::array<double, 2> slope_at_origin(const Vec3& normal, const Vec3& e, const Vec3& f, std::span<const Vec3> offsets) {
+  using Row = Eigen::Matrix<double, 6, 1>;
+  double size = 0;
+  for (const Vec3& d : offsets) size = std::max(size, norm(d));
+  Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
+  Row right = Row::Zero();
+  for (const Vec3& d : offsets) {
+    const double u = dot(e, d) / size, v = dot(f, d) / size, weight = 1 / std::max(u * u + v * v, nearest_of_side);
+    const Row row = (Row() << 1, u, v, u * u, 1.4142135623730951 * u * v, v * v).finished();
+    matrix += weight * row * row.transpose();
+    right += weight * dot(normal, d) / size * row;
+  }
+  const Row scale = matrix.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(scale.asDiagonal() * matrix *
+                                                                          scale.asDiagonal());
+  Row along = solver.eigenvectors().transpose() * scale.cwiseProduct(right);
+  for (int i = 0; i < 6; ++i)
+    along[i] = solver.eigenvalues()[i] > smallest_eigenvalue_of_side ? along[i] / solver.eigenvalues()[i] : 0;
+  const Row coefficients = scale.cwiseProduct(solver.eigenvectors() * along);
+  return {coefficients[1], coefficients[2]};
 }
 
 }  // namespace
 
-JumpFinder::JumpFinder(const Facets& facets, std::span<const EdgePair> pairs, std::span<const int> refs,
-                       std::span<const Vec3> normals)
-    : facets_(facets),
-      refs_(refs),
-      normals_(normals),
-      beyond_(facets.triangles.size(), {none, none, none}),
-      tolerance_(flatness_tolerance(facets)) {
+JumpFinder::JumpFinder(const Facets& facets, std::span<const EdgePair> pairs, std::span<const Vec3> normals)
+    : facets_(facets), normals_(normals), beyond_(facets.triangles.size(), {none, none, none}) {
   for (const auto& [s, t] : pairs) {
     beyond_[s.triangle][s.corner] = t.triangle;
     beyond_[t.triangle][t.corner] = s.triangle;
@@ -70,9 +85,8 @@ std::vector<VertexId> JumpFinder::grown(const EdgeUse& side, const EdgeUse& othe
   const double cosine = dot(own, normals_[other.triangle]);
   const double sharper = std::min(cosine * std::abs(cosine), largest_cosine_of_fold);
   const auto may_enter = [&](TriangleId from, TriangleId to) {
-    return to != none && to != other.triangle && refs_[to] == refs_[side.triangle] &&
-           dot(normals_[to], own) >= least_cosine_of_side && dot(normals_[to], normals_[from]) >= sharper &&
-           is_of_side(to);
+    return to != none && to != other.triangle && dot(normals_[to], own) >= least_cosine_of_side &&
+           dot(normals_[to], normals_[from]) >= sharper && is_of_side(to);
   };
   std::vector<TriangleId> triangles{side.triangle};
   std::vector<VertexId> points(facets_.triangles[side.triangle].begin(), facets_.triangles[side.triangle].end());
@@ -92,16 +106,14 @@ std::vector<VertexId> JumpFinder::grown(const EdgeUse& side, const EdgeUse& othe
 }
 
 Vec3 JumpFinder::normal_of_side(const EdgeUse& side, const EdgeUse& other) const {
-  const std::vector<VertexId> points = points_of_side(side, other);
-  Vec3 sum{};
+  const Vec3 &a = facets_.points[side.edge[0]], &b = facets_.points[side.edge[1]], &normal = normals_[side.triangle];
   std::vector<Vec3> offsets;
-  for (const VertexId end : side.edge) {
-    offsets.clear();
-    for (const VertexId v : points)
-      if (v != end) offsets.push_back(facets_.points[v] - facets_.points[end]);
-    sum = sum + unit(jet(normals_[side.triangle], offsets, tolerance_).gradient);
-  }
-  return unit(sum);
+  for (const VertexId v : points_of_side(side, other)) offsets.push_back(facets_.points[v] - 0.5 * (a + b));
+  const double length = norm(b - a);
+  if (!(length > 0)) return normal;
+  const Vec3 e = 1 / length * (b - a), f = cross(normal, e);
+  const auto [along, across] = slope_at_origin(normal, e, f, offsets);
+  return normal - along * e - across * f;
 }
 
 }  // namespace taut

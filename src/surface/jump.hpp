@@ -15,12 +15,11 @@ namespace taut {
 class JumpFinder {
 public:
   /// Refers to all that it is given but the pairs, which are the edges of two triangles each, of one sense of rotation:
-  /// see orient(). `refs` and `normals` are by triangle; no side reaches beyond its reference.
-  JumpFinder(const Facets& facets, std::span<const EdgePair> pairs, std::span<const int> refs,
-             std::span<const Vec3> normals);
+  /// see orient(). `normals` are by triangle.
+  JumpFinder(const Facets& facets, std::span<const EdgePair> pairs, std::span<const Vec3> normals);
 
-  /// The angle in radians between the normals at the edge of quadrics (jets, at both ends) fitted to the points on
-  /// either side of it.
+  /// The angle in radians between the normals at the middle of the edge of quadrics fitted to the points on either
+  /// side.
   [[nodiscard]] double jump_at(const EdgePair& pair) const;
 
 private:
@@ -30,10 +29,8 @@ private:
   [[nodiscard]] Vec3 normal_of_side(const EdgeUse& side, const EdgeUse& other) const;
 
   const Facets& facets_;
-  std::span<const int> refs_;
   std::span<const Vec3> normals_;
   std::vector<std::array<TriangleId, 3>> beyond_;  ///< the edge opposite to each corner of a triangle, or `none`
-  double tolerance_;
 };
 
 }  // namespace taut

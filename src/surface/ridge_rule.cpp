@@ -15,9 +15,8 @@ constexpr double least_share_of_jump = 0.6;
 
 }  // namespace
 
-RidgeRule::RidgeRule(const Facets& facets, std::span<const EdgePair> pairs, std::span<const int> refs,
-                     std::optional<double> angle)
-    : angle_(angle), normals_(unit_normals(facets)), jumps_(facets, pairs, refs, normals_) {}
+RidgeRule::RidgeRule(const Facets& facets, std::span<const EdgePair> pairs, std::optional<double> angle)
+    : angle_(angle), normals_(unit_normals(facets)), jumps_(facets, pairs, normals_) {}
 
 bool RidgeRule::holds_at(const EdgePair& pair, bool given) const {
   if (angle_) return dihedral_at(pair) >= *angle_ * degrees;

@@ -18,9 +18,8 @@ struct RidgeThreshold {
 /// By angle, or by the shape of the surface.
 class RidgeRule {
 public:
-  /// Refers to the facets and to `refs`; `pairs` are the edges of two triangles each. The angle is in degrees.
-  RidgeRule(const Facets& facets, std::span<const EdgePair> pairs, std::span<const int> refs,
-            std::optional<double> angle);
+  /// Refers to the facets; `pairs` are the edges of two triangles each. The angle is in degrees.
+  RidgeRule(const Facets& facets, std::span<const EdgePair> pairs, std::optional<double> angle);
 
   /// Whether the edge is a ridge. Less is asked of those that are `given`.
   [[nodiscard]] bool holds_at(const EdgePair& pair, bool given) const;

@@ -35,7 +35,7 @@ SplitEdges split_at_ridges(Facets& facets, std::span<const int> refs, std::span<
                            std::optional<double> angle) {
   const std::vector<EdgeUse> uses = edge_uses(facets.triangles);
   const std::vector<EdgePair> pairs = orient(facets.triangles, edges_of_two(uses));
-  const RidgeRule rule(facets, pairs, refs, angle);
+  const RidgeRule rule(facets, pairs, angle);
   std::vector<Parting> parting(pairs.size());
   for_each_index(Chunks(pairs.size(), 1024), [&](std::size_t e) {
     const EdgePair& pair = pairs[e];

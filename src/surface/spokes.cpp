@@ -17,16 +17,29 @@ bool holds_vertex(std::span<const VertexId> vertices, VertexId v) {
   return std::find(vertices.begin(), vertices.end(), v) != vertices.end();
 }
 
+/// Whether other than two triangles meet at an edge of each vertex: around the others there are as many edges as
+/// triangles.
+std::vector<std::uint8_t> borders(const Facets& facets, std::span<const EdgePair> pairs,
+                                  const Buckets<TriangleId>& triangles_at) {
+  std::vector<std::size_t> edges(facets.points.size(), 0);
+  for (const EdgePair& pair : pairs)
+    for (const VertexId v : pair[0].edge) ++edges[v];
+  std::vector<std::uint8_t> is_on_border(edges.size());
+  for (std::size_t v = 0; v < edges.size(); ++v) is_on_border[v] = edges[v] != triangles_at[v].size();
+  return is_on_border;
+}
+
 /// Connected ridges.
 struct RidgeTree {
   std::vector<VertexId> vertices;
-  bool ends = false;      ///< whether a ridge ends in a smooth part of the surface
+  int ends = 0;           ///< vertices where a ridge ends in a smooth part of the surface
   bool is_given = false;  ///< whether an edge is, by the input
 };
 
 /// By root of the set of vertices.
 std::map<std::uint32_t, RidgeTree> connected_ridges(DisjointSets& connected, std::span<const EdgePair> pairs,
-                                                    std::span<const Parting> parting) {
+                                                    std::span<const Parting> parting,
+                                                    std::span<const std::uint8_t> is_on_border) {
   std::map<VertexId, int> ridges_at;
   for (std::size_t e = 0; e < pairs.size(); ++e)
     if (parting[e] != Parting::smooth)
@@ -35,7 +48,7 @@ std::map<std::uint32_t, RidgeTree> connected_ridges(DisjointSets& connected, std
   for (const auto& [v, count] : ridges_at) {
     RidgeTree& tree = found[connected.root(v)];
     tree.vertices.push_back(v);
-    tree.ends |= count == 1;
+    if (count == 1 && is_on_border[v] == 0) ++tree.ends;
   }
   for (std::size_t e = 0; e < pairs.size(); ++e)
     if (parting[e] == Parting::by_input) found[connected.root(pairs[e][0].edge[0])].is_given = true;
@@ -69,13 +82,17 @@ void drop_spokes(const Facets& facets, std::span<const EdgePair> pairs, std::vec
   }
   const auto is_apex = find_apexes(facets, find_sectors(facets.triangles, not_given), {});
   const auto triangles_at = triangles_of_vertices(facets);
-  auto trees = connected_ridges(connected, pairs, parting);
-  std::erase_if(trees, [&](const auto& entry) {
-    const RidgeTree& tree = entry.second;
-    return tree.is_given || !tree.ends || tree.vertices.size() > most_vertices_of_spokes ||
-           std::none_of(tree.vertices.begin(), tree.vertices.end(), [&](VertexId v) {
+  const auto is_spokes = [&](const RidgeTree& tree) {
+    return tree.ends > 0 && tree.vertices.size() <= most_vertices_of_spokes &&
+           std::any_of(tree.vertices.begin(), tree.vertices.end(), [&](VertexId v) {
              return is_apex[v] != 0 && are_around(tree.vertices, v, facets, triangles_at);
            });
+  };
+  const auto is_single_edge = [](const RidgeTree& tree) { return tree.ends == 2 && tree.vertices.size() == 2; };
+  auto trees = connected_ridges(connected, pairs, parting, borders(facets, pairs, triangles_at));
+  std::erase_if(trees, [&](const auto& entry) {
+    const RidgeTree& tree = entry.second;
+    return tree.is_given || !(is_spokes(tree) || is_single_edge(tree));
   });
   for (std::size_t e = 0; e < pairs.size(); ++e)
     if (parting[e] == Parting::by_shape && trees.contains(connected.root(pairs[e][0].edge[0])))
