@@ -31,7 +31,7 @@ private:
     Vec3 out = projected_chord(e, shapes_.normals[sectors[i]]), in = projected_chord(e, shapes_.normals[sectors[j]]);
     const bool from_apex = shapes_.is_apex[a] != 0, to_apex = shapes_.is_apex[b] != 0;
     if (from_apex) out = to_apex ? 1 / norm(e) * e : reflected(in, e);
-    if (to_apex) in = reflected(out, e);
+    if (to_apex) in = from_apex ? out : reflected(out, e);
     return {facets_.points[a] + handle_along(e, out), facets_.points[b] - handle_along(e, in)};
   }
 

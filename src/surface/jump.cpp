@@ -68,7 +68,7 @@ std::vector<VertexId> JumpFinder::points_of_side(const EdgeUse& side, const Edge
   const Vec3 along = facets_.points[side.edge[1]] - origin, middle = own + opposite;
   const Vec3 apart = own - opposite, to_own_normal = apart - dot(apart, along) / dot(along, along) * along,
              to_side = cross(along, middle);
-  const auto by_normal = grown(side, other, [&](TriangleId t) { return dot(normals_[t], to_own_normal) >= 0; });
+  auto by_normal = grown(side, other, [&](TriangleId t) { return dot(normals_[t], to_own_normal) >= 0; });
   if (by_normal.size() >= fewest_points_by_normal) return by_normal;
   const auto place = [&](TriangleId t) {
     const auto [a, b, c] = places_of(facets_, t);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "metric/cholesky.hpp"
 #include "surface/apexes.hpp"
 #include "surface/closest_on_cubic.hpp"
 #include "surface/cubic_patches.hpp"

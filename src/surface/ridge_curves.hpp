@@ -10,6 +10,7 @@
 #include "base/buckets.hpp"
 #include "surface/cubic_segment.hpp"
 #include "surface/ridges.hpp"
+#include "taut/mesh.hpp"
 
 namespace taut {
 
