@@ -53,8 +53,8 @@ struct ClosestPoint {
 class TAUT_EXPORT Geometry {
 public:
   /// From the triangles of `mesh`, and those that are missing on the boundary of its tetrahedra and between its
-  /// regions; it need not have tetrahedra. Throws InputError for a mesh that cannot be used or has no triangles, and
-  /// for an angle out of range.
+  /// regions; it need not have tetrahedra. Throws InputError for a mesh that cannot be used or has no triangles, for a
+  /// triangle two corners of which lie at one place, and for an angle out of range.
   explicit Geometry(const Mesh& mesh, const GeometryOptions& options = {});
 
   /// The point of the surface that is closest to x. Throws InputError for coordinates that are not finite.

@@ -1,5 +1,7 @@
 #include "surface/surface_input.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "mesh/build.hpp"
@@ -14,6 +16,16 @@ std::vector<Corners> given_triangles(const Mesh& mesh) {
   triangles.reserve(mesh.triangles.size());
   for (const auto& [a, b, c] : mesh.triangles) triangles.push_back({VertexId{a}, VertexId{b}, VertexId{c}});
   return triangles;
+}
+
+/// An edge without length has no direction.
+void require_extent(const Mesh& mesh) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+      if (mesh.points[a] == mesh.points[b])
+        throw InputError(fmt::format("triangle {}: vertices {} and {} lie at one place", t + 1, a + 1, b + 1));
+    }
 }
 
 /// In the caller's numbers.
@@ -59,6 +71,7 @@ SurfaceInput surface_of(const Mesh& mesh) {
   if (mesh.tetrahedra.empty() && mesh.triangles.empty())
     throw InputError("the mesh has neither tetrahedra nor triangles, expected a surface");
   require_sound_entities(mesh);
+  require_extent(mesh);
   SurfaceInput input;
   input.facets = {mesh.points, given_triangles(mesh)};
   input.refs = mesh.triangle_refs;

@@ -19,7 +19,8 @@ struct SurfaceInput {
 
 /// The surface of a mesh: its triangles, turned outward where they bound tetrahedra, and those that are missing on the
 /// boundary of the tetrahedra and between regions, of reference 0, after them. A mesh without tetrahedra is a surface
-/// as it is. Vertices are the points of the mesh. Throws InputError for a mesh that cannot be used.
+/// as it is. Vertices are the points of the mesh. Throws InputError for a mesh that cannot be used, and for a
+/// triangle of an edge without length.
 [[nodiscard]] SurfaceInput surface_of(const Mesh& mesh);
 
 }  // namespace taut

@@ -71,6 +71,9 @@ TEST(Geometry, RefusesWhatMakesNoSense) {
   EXPECT_EQ(refused([&] { (void)Geometry(mesh, {.ridge_angle = 0}); }),
             "ridge angle 0 found, expected between 0 and 180 degrees");
   EXPECT_EQ(refused([&] { (void)Geometry(mesh).closest({0, std::nan(""), 0}); }), "coordinate nan is not finite");
+  Mesh collapsed = mesh;
+  collapsed.points[mesh.triangles[4][1]] = collapsed.points[mesh.triangles[4][0]];
+  EXPECT_NE(refused([&] { (void)Geometry(collapsed); }).find(" lie at one place"), std::string::npos);
   mesh.triangles[4][1] = 100000;
   EXPECT_EQ(refused([&] { (void)Geometry(mesh); }).substr(0, 28), "triangle 5: vertex 100001 fo");
   mesh.triangles.clear();
