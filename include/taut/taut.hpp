@@ -4,6 +4,7 @@
 #include "taut/adapt.hpp"
 #include "taut/error.hpp"
 #include "taut/field.hpp"
+#include "taut/geometry.hpp"
 #include "taut/gradation.hpp"
 #include "taut/host.hpp"
 #include "taut/io.hpp"

@@ -4,7 +4,7 @@
 
 #include "adapt/hash.hpp"
 #include "base/parallel.hpp"
-#include "geometry/surface_edges.hpp"
+#include "surface/surface_edges.hpp"
 
 namespace taut {
 namespace {
@@ -82,7 +82,7 @@ void add_edge(Mesh& mesh, const std::array<Index, 2>& edge, int ref, bool sharp,
 }
 
 void assemble_edges(const Session& session, AdaptResult& result) {
-  for_each_edge(edge_uses(session.mesh.triangles), [&](std::span<const EdgeUse> uses) {
+  for_each_edge(edge_uses(corners_of(session.mesh.triangles)), [&](std::span<const EdgeUse> uses) {
     const LineId id = session.mesh.triangles[uses[0].triangle].line[uses[0].corner];
     if (id == none) return;
     const Line& line = session.model.lines[id];

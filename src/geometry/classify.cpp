@@ -7,8 +7,8 @@
 #include "geometry/frozen.hpp"
 #include "geometry/lines.hpp"
 #include "geometry/patches.hpp"
-#include "geometry/surface_edges.hpp"
 #include "geometry/tags.hpp"
+#include "surface/surface_edges.hpp"
 
 namespace taut {
 namespace {
@@ -41,7 +41,7 @@ Model classify(const Mesh& input, Built& built, Surface surface, double ridge_an
   TetMesh& mesh = built.mesh;
   const double tolerance = flatness_tolerance(mesh);
   const auto required = required_triangles(input, built);
-  const auto uses = edge_uses(mesh.triangles);
+  const auto uses = edge_uses(corners_of(mesh.triangles));
   const Features features = find_features(input, built, uses, required, ridge_angle);
 
   Model model;

@@ -69,13 +69,11 @@ private:
     const Vec3 &n = area_normal_[s.triangle], &m = area_normal_[t.triangle];
     // Interfaces may have either orientation: compare the normals as if both triangles traversed the edge in opposite
     // directions.
-    const double sign = runs_forward(s) != runs_forward(t) ? 1 : -1;
+    const double sign = runs_forward(corners_of(s), s) != runs_forward(corners_of(t), t) ? 1 : -1;
     return sign * dot(n, m) <= smooth_cosine_ * norm(n) * norm(m) || refs_[s.triangle] != refs_[t.triangle];
   }
 
-  [[nodiscard]] bool runs_forward(const EdgeUse& use) const {
-    return mesh_.triangles[use.triangle].v[(use.corner + 1) % 3] == use.edge[0];
-  }
+  [[nodiscard]] const Corners& corners_of(const EdgeUse& use) const { return mesh_.triangles[use.triangle].v; }
 
   const TetMesh& mesh_;
   const std::vector<int>& refs_;

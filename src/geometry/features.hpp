@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "geometry/surface_edges.hpp"
 #include "mesh/build.hpp"
+#include "surface/surface_edges.hpp"
 #include "taut/mesh.hpp"
 
 namespace taut {

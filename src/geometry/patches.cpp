@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/disjoint_sets.hpp"
+#include "surface/facets.hpp"
 
 namespace taut {
 namespace {
@@ -49,9 +50,7 @@ std::vector<Plane> fitted_planes(const TetMesh& mesh, std::size_t patches) {
 
 }  // namespace
 
-// So many times the size of the whole: coordinates written with ten digits pass.
 double flatness_tolerance(const TetMesh& mesh) {
-  constexpr double flatness = 1e-9;
   Vec3 low = mesh.vertices[0].x, high = low;
   for (const Vertex& v : mesh.vertices)
     for (int d = 0; d < 3; ++d) low[d] = std::min(low[d], v.x[d]), high[d] = std::max(high[d], v.x[d]);

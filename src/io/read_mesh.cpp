@@ -117,8 +117,12 @@ Mesh read_mesh(const std::filesystem::path& path) {
   return gmf::read_mesh(gmf::open(path, ".mesh", ".meshb"));
 }
 
+Mesh read_boundary(const std::filesystem::path& path) {
+  return gmf::read_mesh(gmf::open(path, ".mesh", ".meshb"), gmf::Needs::triangles);
+}
+
 SurfaceMesh read_surface(const std::filesystem::path& path) {
-  Mesh mesh = gmf::read_mesh(gmf::open(path, ".mesh", ".meshb"), gmf::Needs::triangles);
+  Mesh mesh = read_boundary(path);
   return {std::move(mesh.points), std::move(mesh.triangles)};
 }
 

@@ -3,24 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
-#include <utility>
 
 #include "base/parallel.hpp"
-#include "locate/closest_on_triangle.hpp"
 
 namespace taut {
 namespace {
 
 constexpr std::size_t most_in_leaf = 4;
-constexpr std::size_t most_levels = 40;
-
-/// The squared distance of x from a box. It has the operations and the order of OnTriangle::squared_distance, and
-/// rounding is monotone: it never exceeds the distance of a point in the box.
-double squared_distance(const Vec3& x, const Vec3& low, const Vec3& high) {
-  Vec3 away;
-  for (std::size_t d = 0; d < 3; ++d) away[d] = x[d] - std::clamp(x[d], low[d], high[d]);
-  return dot(away, away);
-}
 
 void stretch(Vec3& low, Vec3& high, const Vec3& x) {
   for (std::size_t d = 0; d < 3; ++d) {
@@ -42,7 +31,8 @@ struct TriangleTree::Centre {
   Index triangle;
 };
 
-TriangleTree::TriangleTree(std::span<const Vec3> points, std::span<const std::array<Index, 3>> triangles)
+TriangleTree::TriangleTree(std::span<const Vec3> points, std::span<const std::array<Index, 3>> triangles,
+                           std::span<const double> slack)
     : count_(triangles.size()), depth_(depth_for(count_)) {
   assert(!triangles.empty());
   std::vector<Centre> centres(triangles.size());
@@ -51,7 +41,7 @@ TriangleTree::TriangleTree(std::span<const Vec3> points, std::span<const std::ar
     centres[t] = {(1.0 / 3) * (points[a] + points[b] + points[c]), static_cast<Index>(t)};
   });
   split(centres);
-  set_leaves(points, triangles, centres);
+  set_leaves(points, triangles, slack, centres);
   set_boxes();
 }
 
@@ -80,13 +70,13 @@ void TriangleTree::split(std::vector<Centre>& centres) const {
 }
 
 void TriangleTree::set_leaves(std::span<const Vec3> points, std::span<const std::array<Index, 3>> triangles,
-                              const std::vector<Centre>& centres) {
+                              std::span<const double> slack, const std::vector<Centre>& centres) {
   leaves_.resize(count_);
   leaf_of_.resize(count_);
   for_each_index(count_, [&](std::size_t leaf) {
     const Index triangle = centres[leaf].triangle;
     const auto& [a, b, c] = triangles[triangle];
-    leaves_[leaf] = {{points[a], points[b], points[c]}, triangle};
+    leaves_[leaf] = {{points[a], points[b], points[c]}, slack.empty() ? 0 : slack[triangle], triangle};
     leaf_of_[triangle] = static_cast<Index>(leaf);
   });
 }
@@ -98,7 +88,11 @@ void TriangleTree::set_boxes() {
     const auto [begin, end] = range_of(depth_, place);
     Box box{leaves_[begin].corners[0], leaves_[begin].corners[0]};
     for (std::size_t i = begin; i < end; ++i)
-      for (const Vec3& corner : leaves_[i].corners) stretch(box.low, box.high, corner);
+      for (const Vec3& corner : leaves_[i].corners) {
+        const Vec3 margin = {leaves_[i].slack, leaves_[i].slack, leaves_[i].slack};
+        stretch(box.low, box.high, corner - margin);
+        stretch(box.low, box.high, corner + margin);
+      }
     boxes_[lowest + place] = box;
   });
   for (std::size_t node = lowest - 1; node > 0; --node) {
@@ -109,40 +103,18 @@ void TriangleTree::set_boxes() {
 }
 
 TriangleTree::Nearest TriangleTree::closest(const Vec3& x, Index guess) const {
-  struct Open {
-    std::size_t node;
-    double squared_distance;
-  };
-  const auto open = [&](std::size_t node) {
-    return Open{node, squared_distance(x, boxes_[node].low, boxes_[node].high)};
-  };
   Nearest best{.squared_distance = std::numeric_limits<double>::infinity()};
   try_leaf(x, leaf_of_[guess], best);
-  std::array<Open, most_levels> stack;
-  std::size_t height = 0;
-  stack[height++] = open(1);
-  while (height > 0) {
-    const auto [node, distance] = stack[--height];
-    if (distance > best.squared_distance) continue;
-    if (node >> depth_ != 0) {
-      const auto [begin, end] = range_of(depth_, node - (std::size_t{1} << depth_));
-      for (std::size_t leaf = begin; leaf < end; ++leaf) try_leaf(x, leaf, best);
-      continue;
-    }
-    Open near = open(2 * node), far = open(2 * node + 1);
-    if (far.squared_distance < near.squared_distance) std::swap(near, far);
-    stack[height++] = far;
-    stack[height++] = near;
-  }
+  descend(x, best.squared_distance, [&](std::size_t leaf) { try_leaf(x, leaf, best); });
   return best;
 }
 
 void TriangleTree::try_leaf(const Vec3& x, std::size_t leaf, Nearest& best) const {
-  const auto& [corners, triangle] = leaves_[leaf];
-  const OnTriangle at = closest_on_triangle(x, corners);
+  const Leaf& of = leaves_[leaf];
+  const OnTriangle at = closest_on_triangle(x, of.corners);
   if (at.squared_distance > best.squared_distance) return;
-  if (at.squared_distance == best.squared_distance && triangle >= best.triangle) return;
-  best = {triangle, at.point, at.weights, at.squared_distance};
+  if (at.squared_distance == best.squared_distance && of.triangle >= best.triangle) return;
+  best = {of.triangle, at.point, at.weights, at.squared_distance};
 }
 
 }  // namespace taut

@@ -1,12 +1,16 @@
 // The closest point on a set of triangles.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/vec3.hpp"
+#include "locate/closest_on_triangle.hpp"
 #include "taut/mesh.hpp"
 
 namespace taut {
@@ -22,12 +26,22 @@ public:
     double squared_distance = 0;
   };
 
-  /// At least one triangle; indices in range and finite coordinates. Triangles may be flat, or single points.
-  TriangleTree(std::span<const Vec3> points, std::span<const std::array<Index, 3>> triangles);
+  /// At least one triangle; indices in range and finite coordinates. Triangles may be flat, or single points. `slack`
+  /// says for each triangle how far what it stands for, a curved patch, may be from it; without it: not at all.
+  TriangleTree(std::span<const Vec3> points, std::span<const std::array<Index, 3>> triangles,
+               std::span<const double> slack = {});
 
   /// The minimum over all triangles, to the last bit: the boxes pass over only what is farther. A good `guess`, such as
   /// the triangle found for a point nearby, makes the search faster and does not change the answer.
   [[nodiscard]] Nearest closest(const Vec3& x, Index guess = 0) const;
+
+  /// Calls visit(triangle, OnTriangle) for each triangle whose distance from x, less its slack, is at most `distance`,
+  /// near ones first; visit() returns the distance that counts from then on, which must not grow.
+  template <class Visit>
+  void for_each_within(const Vec3& x, double distance, Visit visit) const;
+
+  /// A lower bound of the distance of x from all triangles and what they stand for.
+  [[nodiscard]] double distance_bound(const Vec3& x) const { return std::sqrt(squared_distance(x, boxes_[1])); }
 
 private:
   struct Box {
@@ -35,9 +49,20 @@ private:
   };
   struct Leaf {
     std::array<Vec3, 3> corners;
+    double slack;
     Index triangle;
   };
   struct Centre;
+
+  static constexpr std::size_t most_levels = 40;
+
+  /// The squared distance of x from a box. It has the operations and the order of OnTriangle::squared_distance, and
+  /// rounding is monotone: it never exceeds the distance of a point in the box.
+  [[nodiscard]] static double squared_distance(const Vec3& x, const Box& box) {
+    Vec3 away;
+    for (std::size_t d = 0; d < 3; ++d) away[d] = x[d] - std::clamp(x[d], box.low[d], box.high[d]);
+    return dot(away, away);
+  }
 
   /// The leaves below a node of the tree. All branches have the same depth, so that no node stores links.
   struct Range {
@@ -47,14 +72,55 @@ private:
   [[nodiscard]] Range range_of(std::size_t level, std::size_t place) const;
   void split(std::vector<Centre>& centres) const;
   void set_leaves(std::span<const Vec3> points, std::span<const std::array<Index, 3>> triangles,
-                  const std::vector<Centre>& centres);
+                  std::span<const double> slack, const std::vector<Centre>& centres);
   void set_boxes();
   void try_leaf(const Vec3& x, std::size_t leaf, Nearest& best) const;
+  template <class Try>
+  void descend(const Vec3& x, const double& squared_bound, Try try_leaf) const;
 
   std::size_t count_, depth_;   ///< number of triangles, level of the lowest nodes
   std::vector<Box> boxes_;      ///< node 1 is the root, 2 k and 2 k + 1 are below node k
   std::vector<Leaf> leaves_;    ///< in the order of the lowest nodes
   std::vector<Index> leaf_of_;  ///< of each triangle
 };
+
+/// Calls try_leaf(leaf) where boxes are not farther than the bound, which may fall meanwhile; near boxes first.
+template <class Try>
+void TriangleTree::descend(const Vec3& x, const double& squared_bound, Try try_leaf) const {
+  struct Open {
+    std::size_t node;
+    double squared_distance;
+  };
+  const auto open = [&](std::size_t node) { return Open{node, squared_distance(x, boxes_[node])}; };
+  std::array<Open, most_levels> stack;
+  std::size_t height = 0;
+  stack[height++] = open(1);
+  while (height > 0) {
+    const auto [node, distance] = stack[--height];
+    if (distance > squared_bound) continue;
+    if (node >> depth_ != 0) {
+      const auto [begin, end] = range_of(depth_, node - (std::size_t{1} << depth_));
+      for (std::size_t leaf = begin; leaf < end; ++leaf) try_leaf(leaf);
+      continue;
+    }
+    Open near = open(2 * node), far = open(2 * node + 1);
+    if (far.squared_distance < near.squared_distance) std::swap(near, far);
+    stack[height++] = far;
+    stack[height++] = near;
+  }
+}
+
+template <class Visit>
+void TriangleTree::for_each_within(const Vec3& x, double distance, Visit visit) const {
+  double squared_bound = distance * distance;
+  descend(x, squared_bound, [&](std::size_t leaf) {
+    const Leaf& of = leaves_[leaf];
+    const OnTriangle at = closest_on_triangle(x, of.corners);
+    const double reach = distance + of.slack;
+    if (at.squared_distance > reach * reach) return;
+    distance = visit(of.triangle, at);
+    squared_bound = distance * distance;
+  });
+}
 
 }  // namespace taut

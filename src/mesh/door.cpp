@@ -57,6 +57,10 @@ void require_finite(const std::vector<Point>& points) {
 
 void require_sound_arrays(const Mesh& m) {
   if (m.tetrahedra.empty()) throw InputError("the mesh has no tetrahedra");
+  require_sound_entities(m);
+}
+
+void require_sound_entities(const Mesh& m) {
   if (m.points.size() >= std::numeric_limits<Index>::max())
     throw InputError(fmt::format("{} vertices found, more than 32-bit ids can number", m.points.size()));
   require_length("vertices", m.point_refs.size(), m.points.size());

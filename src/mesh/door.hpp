@@ -9,6 +9,9 @@
 namespace taut {
 
 /// Lengths of the arrays, indices in range, finite coordinates, no repeated vertex. Throws InputError.
+void require_sound_entities(const Mesh& m);
+
+/// The same, and at least one tetrahedron.
 void require_sound_arrays(const Mesh& m);
 
 /// Throws InputError if there are more regions than 16-bit ids can number.

@@ -66,7 +66,8 @@ private:
     }
     by_forces_ = move_.old_quality() > decent_quality && shortest_ > decent_shortest && longest_ < decent_longest;
     if (by_forces_)
-      for (int i = 0; i < count; ++i) pull[i] *= rules_.factor * force(lengths[i]) / lengths[i];
+      for (int i = 0; i < count; ++i)
+        pull[i] *= rules_.factor * force(lengths[i]) / length_in(move_.old().m, k_.neighbours.x(i) - move_.old().x);
     else
       for (int i = 0; i < count; ++i) pull[i] *= (1 / lengths[i] - 1) / pulling;
     return k_.neighbours.weighted_edges(move_.old().x, {pull.data(), lengths.size()});

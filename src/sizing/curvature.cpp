@@ -7,11 +7,11 @@
 #include "base/buckets.hpp"
 #include "base/parallel.hpp"
 #include "geometry/features.hpp"
-#include "geometry/sectors.hpp"
 #include "mesh/build.hpp"
 #include "metric/intersection.hpp"
 #include "sizing/limits.hpp"
-#include "sizing/surface_curvature.hpp"
+#include "surface/principal_curvatures.hpp"
+#include "surface/sector_jets.hpp"
 #include "taut/error.hpp"
 #include "taut/sizing.hpp"
 
@@ -51,10 +51,31 @@ Sym3 metric_of_curvatures(const Spectrum& s, const CurvatureOptions& o) {
   return assemble({{std::pow(size[0], -2), std::pow(size[1], -2), std::pow(size[2], -2)}, s.vectors});
 }
 
-Sectors sectors_of(const Mesh& mesh, const Built& built, double ridge_angle) {
-  const auto uses = edge_uses(built.mesh.triangles);
-  const std::vector<std::uint8_t> none_required(built.mesh.triangles.size(), 0);
-  return find_sectors(built.mesh, uses, find_features(mesh, built, uses, none_required, ridge_angle).surface);
+/// The edges that part nothing: given ones too, unless they are sharp.
+std::vector<EdgePair> smooth_edges(const Mesh& mesh, const Built& built, const Facets& facets, double ridge_angle) {
+  const auto uses = edge_uses(facets.triangles);
+  const std::vector<std::uint8_t> none_required(facets.triangles.size(), 0);
+  std::vector<Feature> features = find_features(mesh, built, uses, none_required, ridge_angle).surface;
+  std::erase_if(features, [](const Feature& f) { return !f.sharp; });
+  std::vector<EdgePair> edges;
+  for_each_smooth_edge(uses, features, [&](const EdgeUse& s, const EdgeUse& t) { edges.push_back({s, t}); });
+  return edges;
+}
+
+/// The principal curvatures of a surface at some of its points, those of a ridge more than once.
+struct SurfaceCurvatures {
+  std::vector<VertexId> vertices;
+  std::vector<Spectrum> curvatures;
+};
+
+SurfaceCurvatures curvatures_of(const Mesh& mesh, const Built& built, double ridge_angle) {
+  Facets facets = facets_of(built.mesh);
+  const auto edges = orient(facets.triangles, smooth_edges(mesh, built, facets, ridge_angle));
+  Sectors sectors = find_sectors(facets.triangles, edges);
+  const std::vector<Derivatives> jets = sector_jets(facets, sectors, flatness_tolerance(facets));
+  std::vector<Spectrum> curvatures(jets.size());
+  for_each_index(jets.size(), [&](std::size_t s) { curvatures[s] = principal_curvatures(jets[s]); });
+  return {std::move(sectors.vertices), std::move(curvatures)};
 }
 
 }  // namespace
@@ -65,14 +86,13 @@ Tensors curvature_metric(const Mesh& mesh, const CurvatureOptions& options) {
   CurvatureOptions o = options;
   if (o.relative) o.deviation *= within_domain(mesh, {}).hmax;
   o.limits = within_domain(mesh, options.limits);
-  const Sectors sectors = sectors_of(mesh, built, o.ridge_angle);
-  const std::vector<Spectrum> curvatures = curvatures_of(built.mesh, sectors);
-  const auto sectors_at = gather<Index>(curvatures.size(), mesh.points.size(), [&](std::size_t s, auto put) {
-    put(built.mesh.origin_of_vertex[sectors.vertices[s]], static_cast<Index>(s));
+  const SurfaceCurvatures found = curvatures_of(mesh, built, o.ridge_angle);
+  const auto sectors_at = gather<Index>(found.curvatures.size(), mesh.points.size(), [&](std::size_t s, auto put) {
+    put(built.mesh.origin_of_vertex[found.vertices[s]], static_cast<Index>(s));
   });
   Tensors metric(mesh.points.size(), metric_of_size(o.limits.hmax));
   for_each_index(metric.size(), [&](std::size_t p) {
-    for (const Index s : sectors_at[p]) metric[p] = intersect(metric[p], metric_of_curvatures(curvatures[s], o));
+    for (const Index s : sectors_at[p]) metric[p] = intersect(metric[p], metric_of_curvatures(found.curvatures[s], o));
   });
   return limited(mesh, std::move(metric), o.limits);
 }

@@ -7,7 +7,7 @@
 #include "mesh/edges.hpp"
 #include "mesh/faces.hpp"
 #include "mesh/incidence.hpp"
-#include "sizing/neighbourhood.hpp"
+#include "mesh/neighbourhood.hpp"
 
 namespace taut {
 namespace {

@@ -10,10 +10,10 @@
 #include "base/parallel.hpp"
 #include "mesh/door.hpp"
 #include "mesh/edges.hpp"
+#include "mesh/neighbourhood.hpp"
 #include "metric/field.hpp"
 #include "metric/intersection.hpp"
 #include "sizing/growth.hpp"
-#include "sizing/neighbourhood.hpp"
 #include "taut/error.hpp"
 
 namespace taut {

@@ -10,7 +10,7 @@
 #include "sizing/derivatives.hpp"
 #include "sizing/limits.hpp"
 #include "sizing/nodal.hpp"
-#include "sizing/principal_curvatures.hpp"
+#include "surface/principal_curvatures.hpp"
 #include "taut/error.hpp"
 #include "taut/sizing.hpp"
 

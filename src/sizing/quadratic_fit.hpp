@@ -7,14 +7,9 @@
 
 #include "base/sym3.hpp"
 #include "metric/cholesky.hpp"
+#include "surface/derivatives.hpp"
 
 namespace taut {
-
-/// First and second derivatives at a point.
-struct Derivatives {
-  Vec3 gradient;
-  Sym3 hessian;
-};
 
 /// Weighted least squares with 10 unknowns, in a frame in which the points around the centre are about as far in all
 /// directions: without the frame the problem would be singular on stretched meshes.

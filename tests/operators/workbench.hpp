@@ -11,12 +11,12 @@
 
 #include "adapt/setup.hpp"
 #include "geometry/classified.hpp"
-#include "geometry/surface_edges.hpp"
 #include "mesh/invariants.hpp"
 #include "mesh/shapes.hpp"
 #include "metric/quality.hpp"
 #include "metric/random_metrics.hpp"
 #include "operators/kernel.hpp"
+#include "surface/surface_edges.hpp"
 
 namespace taut::test {
 
@@ -175,7 +175,7 @@ inline void expect_on_geometry(const Workbench& bench) {
     if (bench.model.patches[t.patch].frozen()) continue;
     for (VertexId v : t.v) ASSERT_TRUE(bench.model.on_patch(m.tag_of_vertex[v], t.patch)) << "patch " << t.patch;
   }
-  for_each_edge(edge_uses(living), [&](std::span<const EdgeUse> uses) {
+  for_each_edge(edge_uses(corners_of(living)), [&](std::span<const EdgeUse> uses) {
     const Triangle& first = living[uses[0].triangle];
     const LineId line = first.line[uses[0].corner];
     bool one_patch = uses.size() == 2;

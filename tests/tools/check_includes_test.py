@@ -23,7 +23,7 @@ class CheckIncludes(unittest.TestCase):
         allowed = {
             "src/adapt/a.cpp": ('"adapt/a.hpp"', '"base/ids.hpp"', '"taut/adapt.hpp"', "<fmt/format.h>", "<vector>"),
             "src/operators/a.hpp": ('"sizing/target.hpp"', '"geometry/model.hpp"', '"locate/background.hpp"'),
-            "src/sizing/a.hpp": ('"geometry/sectors.hpp"', '"mesh/build.hpp"', '"metric/length.hpp"'),
+            "src/sizing/a.hpp": ('"surface/sectors.hpp"', '"mesh/build.hpp"', '"metric/length.hpp"'),
             "src/cavity/a.hpp": ('"partition/block.hpp"', '"geometry/model.hpp"'),
             "src/metric/a.cpp": ("<Eigen/Dense>",),
             "src/elasticity/a.cpp": ("<Eigen/SparseCore>", '"mesh/tet_mesh.hpp"', '"base/parallel.hpp"'),

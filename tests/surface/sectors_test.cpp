@@ -2,8 +2,9 @@
 
 #include <set>
 
-#include "geometry/sectors.hpp"
+#include "geometry/features.hpp"
 #include "mesh/shapes.hpp"
+#include "surface/sectors.hpp"
 
 namespace taut {
 namespace {
@@ -15,9 +16,14 @@ struct Split {
 
 Split split(const Mesh& mesh) {
   Built built = build(mesh);
-  const auto uses = edge_uses(built.mesh.triangles);
+  const auto triangles = corners_of(built.mesh.triangles);
+  const auto uses = edge_uses(triangles);
   const std::vector<std::uint8_t> required(built.mesh.triangles.size(), 0);
-  Sectors sectors = find_sectors(built.mesh, uses, find_features(mesh, built, uses, required, 45).surface);
+  std::vector<Feature> features = find_features(mesh, built, uses, required, 45).surface;
+  std::erase_if(features, [](const Feature& f) { return !f.sharp; });
+  std::vector<EdgePair> smooth;
+  for_each_smooth_edge(uses, features, [&](const EdgeUse& s, const EdgeUse& t) { smooth.push_back({s, t}); });
+  Sectors sectors = find_sectors(triangles, smooth);
   return {std::move(built), std::move(sectors)};
 }
 

@@ -1,4 +1,4 @@
-#include "sizing/jet.hpp"
+#include "surface/jet.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

@@ -1,4 +1,4 @@
-#include "geometry/surface_edges.hpp"
+#include "surface/surface_edges.hpp"
 
 #include <algorithm>
 
@@ -7,10 +7,16 @@
 
 namespace taut {
 
-std::vector<EdgeUse> edge_uses(const std::vector<Triangle>& triangles) {
+std::vector<Corners> corners_of(std::span<const Triangle> triangles) {
+  std::vector<Corners> corners(triangles.size());
+  for_each_index(corners.size(), [&](std::size_t t) { corners[t] = triangles[t].v; });
+  return corners;
+}
+
+std::vector<EdgeUse> edge_uses(std::span<const Corners> triangles) {
   std::vector<KeyedIndex> uses(3 * triangles.size());  // corner k of triangle t: 3 t + k
   for_each_index(uses.size(), [&](std::size_t i) {
-    const auto& v = triangles[i / 3].v;
+    const Corners& v = triangles[i / 3];
     const auto [a, b] = std::minmax(v[(i + 1) % 3], v[(i + 2) % 3]);
     uses[i] = {(std::uint64_t{a} << 32) | b, static_cast<std::uint32_t>(i)};
   });

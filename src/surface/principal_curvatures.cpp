@@ -1,4 +1,4 @@
-#include "sizing/principal_curvatures.hpp"
+#include "surface/principal_curvatures.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "sizing/quadratic_fit.hpp"
+#include "surface/derivatives.hpp"
 
 namespace taut {
 

@@ -1,4 +1,4 @@
-#include "sizing/neighbourhood.hpp"
+#include "mesh/neighbourhood.hpp"
 
 namespace taut {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "metric/spectral.hpp"
-#include "sizing/quadratic_fit.hpp"
+#include "surface/derivatives.hpp"
 
 namespace taut {
 
