@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argv[3];
   const taut::Mesh mesh = taut::read_mesh(argv[1]);
   taut::MotionOptions options{
-      .changes = taut::MeshChanges::flips, .rounds = 3, .shell = 3, .metric_follows = rotor};
+      .changes = taut::MeshChanges::flips, .stiffening = 1.25, .shell = 3, .metric_follows = rotor};
   options.adaptation = {.limits = {.gradation = taut::Gradation{}}, .max_rounds = 40};
   taut::MovingMesh moving(mesh, sizes_of(mesh), options);
 

@@ -65,7 +65,7 @@ private:
       ++pulling;
     }
     by_forces_ = move_.old_quality() > decent_quality && shortest_ > decent_shortest && longest_ < decent_longest;
-    if (by_forces_)
+    if (by_forces_)  // of unit length where the vertex is, or those from the coarse side would be stronger
       for (int i = 0; i < count; ++i)
         pull[i] *= rules_.factor * force(lengths[i]) / length_in(move_.old().m, k_.neighbours.x(i) - move_.old().x);
     else
