@@ -97,9 +97,11 @@ void print_note(const std::string& file, std::size_t count, const char* what) {
 void print_notes(const AdaptJob& job, const Report& report) {
   print_note(job.input, report.reoriented, "inverted tetrahedra were reoriented");
   print_note(job.input, report.triangles_built, "missing triangles on the boundary or between regions were added");
-  if (job.options.surface == Surface::adapt)
+  if (job.options.surface != Surface::fixed)
     print_note(job.input, report.triangles_frozen,
-               "triangles were kept as they are, because their patch is not planar or they are required");
+               job.options.surface == Surface::planar
+                   ? "triangles were kept as they are, because their patch is not planar or they are required"
+                   : "triangles were kept as they are, because they are required");
 }
 
 void print_summary(const AdaptJob& job, const SolutionResult& result, double seconds) {

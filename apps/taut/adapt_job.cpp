@@ -40,7 +40,7 @@ void add_files(CLI::App& command, AdaptJob& job) {
 }
 
 void add_boundary(CLI::App& command, AdaptOptions& options) {
-  add_surface(command, options.surface, "remesh planar patches");
+  add_surface(command, options.surface, "remesh all, with vertices on the curved surface that the triangles stand for");
   add_ridge_angle(command, options.ridge_angle);
 }
 

@@ -103,7 +103,7 @@ Json json_of(const AdaptJob& job) {
             {"anisotropy", job.limits.bounds.anisotropy},
             {"gradation", null_if_none(job.limits.beta)},
             {"gradation_mix", job.limits.mix},
-            {"angle", o.ridge_angle},
+            {"angle", null_if_none(o.ridge_angle)},
             {"rounds", o.max_rounds},
             {"threads", job.threads},
             {"block_size", o.block_size}}}};

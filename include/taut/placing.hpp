@@ -1,6 +1,7 @@
 // A mesh with vertices on a level set.
 #pragma once
 
+#include <optional>
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -23,7 +24,7 @@ struct PlaceOptions {
   double Q_max = 20;
   double deviation = 0;              ///< edges and faces on the surface farther than this from it are split; 0: none
   Surface surface = Surface::adapt;  ///< what may change on the boundary and between regions
-  double ridge_angle = 45;           ///< degrees, as in AdaptOptions
+  std::optional<double> ridge_angle{};  ///< degrees, as in AdaptOptions
 };
 
 /// A mesh, and what was done to it.

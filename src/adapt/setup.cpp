@@ -13,8 +13,8 @@
 namespace taut {
 void require_options(const AdaptOptions& o) {
   require_limits(o.limits);
-  if (!(o.ridge_angle > 0 && o.ridge_angle < 180))
-    throw InputError(fmt::format("ridge angle {} found, expected between 0 and 180 degrees", o.ridge_angle));
+  if (o.ridge_angle && !(*o.ridge_angle > 0 && *o.ridge_angle < 180))
+    throw InputError(fmt::format("ridge angle {} found, expected between 0 and 180 degrees", *o.ridge_angle));
   if (o.max_rounds < 0) throw InputError(fmt::format("{} rounds found, expected 0 or more", o.max_rounds));
 }
 

@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <variant>
 #include <vector>
 
 #include "base/ids.hpp"
 #include "base/vec3.hpp"
+#include "surface/reference_surface.hpp"
 
 namespace taut {
 
@@ -20,23 +22,40 @@ struct Plane {
   double offset = 0;
 };
 
+/// A patch of the reference surface. Its normals have the sense of the patch's triangles times `sign`.
+struct Curved {
+  PatchId patch;
+  double sign = 1;
+  bool two_sided = false;  ///< an interface, whose triangles may have either sense
+};
+
 /// A connected set of triangles of one reference between feature lines.
 struct Patch {
   int ref = 0;
   bool required = false;
-  std::variant<Frozen, Plane> shape{};
+  std::variant<Frozen, Plane, Curved> shape{};
 
   [[nodiscard]] bool frozen() const { return std::holds_alternative<Frozen>(shape); }
+  [[nodiscard]] const Curved* curved() const { return std::get_if<Curved>(&shape); }
 };
 
-/// A straight chain of feature edges between two corners.
+struct Straight {
+  Vec3 origin{}, direction{};
+};
+
+/// A curve of the reference surface, or a part of one.
+struct Bent {
+  LineId curve;
+};
+
+/// A smooth chain of feature edges between two corners, or a closed one.
 struct Line {
   int ref = 0;
   bool frozen = false;
   bool sharp = false;  ///< written as a ridge
   bool required = false;
   bool implicit = false;  ///< separates required triangles from others: not written
-  Vec3 origin{}, direction{};
+  std::variant<Straight, Bent> shape{};
   std::vector<PatchId> patches;
 };
 
@@ -71,6 +90,7 @@ public:
   std::vector<Region> regions;
   std::vector<InnerEdge> inner_edges;
   bool has_frozen_region = false;
+  std::shared_ptr<const ReferenceSurface> surface;  ///< null unless a patch is curved
 
   /// A corner of those of its patches and lines that may change.
   CornerId add_corner(Corner corner);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "operators/kernel.hpp"
 
@@ -36,6 +37,14 @@ public:
   [[nodiscard]] Outcome commit(const MoveRules& rules);
 
 private:
+  /// A triangle of the ball on a curved patch: the two vertices that follow v.
+  struct Facet {
+    PatchId patch;
+    VertexId b, c;
+  };
+  void gather_facets();
+  [[nodiscard]] double worst_misfit(const Vec3& x) const;
+  [[nodiscard]] bool facets_fit();
   [[nodiscard]] bool all_positive() const;
   void write(const MoveRules& rules);
   void note_lengths();
@@ -51,6 +60,8 @@ private:
   bool measured_ = false;            // whether it is
   double old_quality_ = 1, old_phi_ = 0;
   bool not_unit_ = false;
+  std::vector<Facet> facets_;  // empty unless v is on a curved patch
+  double old_misfit_ = -1;     // negative if it is not known
 };
 
 }  // namespace taut
