@@ -37,10 +37,10 @@ struct AdaptOptions {
   /// Applied to the metric before the work starts. Gradation samples a metric function at the input's vertices only:
   /// the target is then the field on the input mesh, no longer the function.
   Limits limits{};
-  /// Degrees; an edge is a ridge if the normals of its two triangles differ by this or more. Without it the shape of the
-  /// surface decides (Geometry); between planar patches 45 degrees do.
+  /// Degrees; an edge is a ridge if the normals of its two triangles differ by this or more. Without it the shape of
+  /// the surface decides (Geometry); between planar patches 45 degrees do.
   std::optional<double> ridge_angle{};
-  int max_rounds = 40;      ///< the adaptation ends earlier once a round gains less than it costs
+  int max_rounds = 40;          ///< the adaptation ends earlier once a round gains less than it costs
   ProgressCallback progress{};  ///< may end the adaptation after each pass
   /// Called once before the first round, with about how many tetrahedra the result will have: more if a metric function
   /// is finer between the points of the input. If it returns false, the mesh is returned as it is.

@@ -1,9 +1,9 @@
 // A mesh with vertices on a level set.
 #pragma once
 
-#include <optional>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,8 +22,8 @@ struct PlaceOptions {
   /// Largest Q that an inserted vertex may leave around it, above 1; a moved one a quarter of it. Where it was larger
   /// before, it may grow by a ninth. The last edges that deviate are split even if Q becomes ten times as large.
   double Q_max = 20;
-  double deviation = 0;              ///< edges and faces on the surface farther than this from it are split; 0: none
-  Surface surface = Surface::adapt;  ///< what may change on the boundary and between regions
+  double deviation = 0;                 ///< edges and faces on the surface farther than this from it are split; 0: none
+  Surface surface = Surface::adapt;     ///< what may change on the boundary and between regions
   std::optional<double> ridge_angle{};  ///< degrees, as in AdaptOptions
 };
 

@@ -21,8 +21,8 @@ enum class Outcome : std::uint8_t {
   put_off        ///< it reaches beyond the block, or the block has no ids left: a later round will try it
 };
 
-inline constexpr std::array<const char*, 12> outcome_names = {"accepted", "too large",      "frozen",     "geometry", "surface",
-                                                              "inverted", "quality",        "short edge", "long edge",
-                                                              "topology", "nothing better", "put off"};
+inline constexpr std::array<const char*, 12> outcome_names = {"accepted",  "too large", "frozen",         "geometry",
+                                                              "surface",   "inverted",  "quality",        "short edge",
+                                                              "long edge", "topology",  "nothing better", "put off"};
 
 }  // namespace taut

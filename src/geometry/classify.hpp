@@ -12,10 +12,10 @@ namespace taut {
 
 /// The geometry of a freshly built mesh. Sets the patch and the lines of its triangles and the tags of its vertices.
 ///
-/// Patches are what the feature edges (geometry/features.hpp) part. With `Surface::planar` a patch that is not planar is
-/// frozen, and with `Surface::fixed` every one. Only a mesh with patches that are not planar needs a reference surface.
-/// A vertex where two feature edges of one kind meet smoothly lies on a line, any other vertex of a feature edge is a
-/// corner. Throws InputError for an edge of the input that is not an edge of the mesh.
+/// Patches are what the feature edges (geometry/features.hpp) part. With `Surface::planar` a patch that is not planar
+/// is frozen, and with `Surface::fixed` every one. Only a mesh with patches that are not planar needs a reference
+/// surface. A vertex where two feature edges of one kind meet smoothly lies on a line, any other vertex of a feature
+/// edge is a corner. Throws InputError for an edge of the input that is not an edge of the mesh.
 [[nodiscard]] Model classify(const Mesh& input, Built& built, Surface surface, std::optional<double> ridge_angle);
 
 }  // namespace taut

@@ -36,7 +36,8 @@ Reference::Reference(const Mesh& input, const Built& built, std::optional<double
     : surface_(std::make_shared<const ReferenceSurface>(
           with_marks({facets_of(built.mesh), built.triangle_refs, {}, {}}, input, built.vertex_of_point), angle)) {
   const double tolerance = flatness_tolerance(surface_->facets());
-  for (const ReferencePatch& patch : surface_->patches()) planar_.push_back(is_planar_patch(*surface_, patch, tolerance));
+  for (const ReferencePatch& patch : surface_->patches())
+    planar_.push_back(is_planar_patch(*surface_, patch, tolerance));
   for (const LineId l : ids<LineId>(surface_->curves().size())) {
     const ReferenceCurve& curve = surface_->curves()[l];
     straight_.push_back(is_straight_curve(curve, tolerance));

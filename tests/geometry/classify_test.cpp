@@ -19,7 +19,7 @@ TEST(Classify, ACubeHasSixPatchesTwelveLinesAndEightCorners) {
     for (const Line& line : c.model.lines) {
       EXPECT_EQ(line.patches.size(), 2);
       EXPECT_TRUE(line.sharp && !line.frozen && !line.required && !line.implicit);
-      EXPECT_NEAR(norm(line.direction), 1, 1e-15);
+      EXPECT_NEAR(norm(std::get<Straight>(line.shape).direction), 1, 1e-15);
     }
     for (std::size_t i = 1; i < c.model.corners.size(); ++i) {
       EXPECT_EQ(c.model.corners[i].patches.size(), 3);
