@@ -42,6 +42,11 @@ void add_files(CLI::App& command, AdaptJob& job) {
 void add_boundary(CLI::App& command, AdaptOptions& options) {
   add_surface(command, options.surface, "remesh all, with vertices on the curved surface that the triangles stand for");
   add_ridge_angle(command, options.ridge_angle);
+  command
+      .add_option("--deviation", options.deviation,
+                  "allowed distance between triangles and the curved surface: makes sizes smaller where it is curved")
+      ->type_name("D")
+      ->check(positive_number());
 }
 
 void require_one_target(const AdaptJob& job) {

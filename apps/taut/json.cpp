@@ -104,6 +104,7 @@ Json json_of(const AdaptJob& job) {
             {"gradation", null_if_none(job.limits.beta)},
             {"gradation_mix", job.limits.mix},
             {"angle", null_if_none(o.ridge_angle)},
+            {"deviation", o.deviation > 0 ? Json(o.deviation) : Json()},
             {"rounds", o.max_rounds},
             {"threads", job.threads},
             {"block_size", o.block_size}}}};

@@ -7,17 +7,27 @@
 namespace taut {
 namespace {
 
-constexpr double flattest = 0.05, steepest = 0.7;  // angles that are always, and never, fair
+constexpr double flattest = 0.05, steepest = 0.7;  // angles that are always fair, and above which none is
+constexpr double most_turned = 1;                  // angle by which the surface may turn along an edge
 constexpr double sags = 2.5;                       // by which a harmless swap multiplies the sag
 constexpr double least_sag = 1e-3;                 // of the longest edge: always fair
 
-double longest_edge(const std::array<Vec3, 3>& t) {
-  return std::max({norm(t[1] - t[0]), norm(t[2] - t[1]), norm(t[0] - t[2])});
-}
+struct Extent {
+  double length = 0;  ///< of the longest edge
+  double turn = 0;    ///< the largest angle by which the surface turns along an edge
+  double sag = 0;     ///< the largest distance of an edge's chord from the surface, about
+};
 
-double largest_curvature(const Sym3& shape) {
-  const auto& [xx, xy, xz, yy, yz, zz] = shape;
-  return std::sqrt(xx * xx + yy * yy + zz * zz + 2 * (xy * xy + xz * xz + yz * yz));
+Extent extent_of(const std::array<Vec3, 3>& t, const Sym3& shape) {
+  Extent extent;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 edge = t[(k + 1) % 3] - t[k];
+    const double length = norm(edge), turn = norm(shape * edge);
+    extent.length = std::max(extent.length, length);
+    extent.turn = std::max(extent.turn, turn);
+    extent.sag = std::max(extent.sag, turn * length / 8);
+  }
+  return extent;
 }
 
 // Cosine of the angle between the triangle and the surface.
@@ -36,11 +46,10 @@ double misfit(const Model& model, PatchId patch, const std::array<Vec3, 3>& tria
   const OnPatch at = model.surface->closest_on(curved->patch, centre);
   const double cosine = alignment(*curved, triangle, at.normal);
   if (!(cosine > 0)) return std::numeric_limits<double>::infinity();
-  const double length = longest_edge(triangle);
-  const double turn = largest_curvature(model.surface->shape_operator(at)) * length;
-  const double fair_angle = std::clamp(turn, flattest, steepest);
-  const double fair_sag = std::max(sags * turn / 8, least_sag) * length;
-  return std::max(std::acos(std::min(cosine, 1.0)) / fair_angle, at.distance / fair_sag);
+  const Extent extent = extent_of(triangle, model.surface->shape_operator(at));
+  const double fair_angle = std::clamp(extent.turn, flattest, steepest);
+  const double fair_sag = std::min(std::max(sags * extent.sag, least_sag * extent.length), model.deviation);
+  return std::max({std::acos(std::min(cosine, 1.0)) / fair_angle, at.distance / fair_sag, extent.turn / most_turned});
 }
 
 }  // namespace taut

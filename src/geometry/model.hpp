@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <variant>
 #include <vector>
@@ -91,6 +92,7 @@ public:
   std::vector<InnerEdge> inner_edges;
   bool has_frozen_region = false;
   std::shared_ptr<const ReferenceSurface> surface;  ///< null unless a patch is curved
+  double deviation = std::numeric_limits<double>::infinity();  ///< allowed between triangles and curved patches
 
   /// A corner of those of its patches and lines that may change.
   CornerId add_corner(Corner corner);
