@@ -40,9 +40,9 @@ struct AdaptOptions {
   /// Degrees; an edge is a ridge if the normals of its two triangles differ by this or more. Without it the shape of
   /// the surface decides (Geometry); between planar patches 45 degrees do.
   std::optional<double> ridge_angle{};
-  /// Allowed distance between the triangles and the curved surface, in the unit of the mesh; 0: whatever the metric asks
-  /// for. Above 0, with Surface::adapt only, the metric is intersected with curvature_metric() for half of it, which like
-  /// gradation makes a field of a metric function. Operations that would exceed it are refused.
+  /// Allowed distance between the triangles and the curved surface, in the unit of the mesh; 0: whatever the metric
+  /// asks for. Above 0, with Surface::adapt only, the metric is intersected with curvature_metric() for half of it,
+  /// which like gradation makes a field of a metric function. Operations that would exceed it are refused.
   double deviation = 0;
   int max_rounds = 40;          ///< the adaptation ends earlier once a round gains less than it costs
   ProgressCallback progress{};  ///< may end the adaptation after each pass

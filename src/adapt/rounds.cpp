@@ -84,7 +84,9 @@ private:
     return {changed, grown, (done.efficiency_gain - before.efficiency_gain) / (edges_per_tet * tets)};
   }
 
-  [[nodiscard]] RepairRules repair_rules() const { return {.may_collapse = rules_.passes.collapse}; }
+  [[nodiscard]] RepairRules repair_rules() const {
+    return {.may_collapse = rules_.passes.collapse, .may_insert = rules_.passes.insertion};
+  }
 
   [[nodiscard]] bool is_disordered(const Gain& gain) const {
     const double growth = static_cast<double>(mesh_.tet_count()) / static_cast<double>(tets_when_ordered_);

@@ -51,7 +51,8 @@ std::vector<Sym3> place_metrics(TetMesh& mesh, const std::vector<Sym3>& metrics)
 std::unique_ptr<Target> make_target(const Metric& metric, const AdaptOptions& options, const Background& background,
                                     const std::vector<Sym3>& metrics) {
   const auto* function = std::get_if<MetricFunction>(&metric);
-  if (function == nullptr || options.limits.gradation || options.deviation > 0) return std::make_unique<Target>(background, metrics);
+  if (function == nullptr || options.limits.gradation || options.deviation > 0)
+    return std::make_unique<Target>(background, metrics);
   return std::make_unique<Target>(*function, options.limits);
 }
 

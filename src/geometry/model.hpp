@@ -91,7 +91,7 @@ public:
   std::vector<Region> regions;
   std::vector<InnerEdge> inner_edges;
   bool has_frozen_region = false;
-  std::shared_ptr<const ReferenceSurface> surface;  ///< null unless a patch is curved
+  std::shared_ptr<const ReferenceSurface> surface;             ///< null unless a patch is curved
   double deviation = std::numeric_limits<double>::infinity();  ///< allowed between triangles and curved patches
 
   /// A corner of those of its patches and lines that may change.
