@@ -5,6 +5,7 @@
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "geometry/classify.hpp"
+#include "geometry/off_surface.hpp"
 #include "mesh/build.hpp"
 #include "metric/field.hpp"
 #include "sizing/complexity.hpp"
@@ -15,6 +16,8 @@ void require_options(const AdaptOptions& o) {
   require_limits(o.limits);
   if (o.ridge_angle && !(*o.ridge_angle > 0 && *o.ridge_angle < 180))
     throw InputError(fmt::format("ridge angle {} found, expected between 0 and 180 degrees", *o.ridge_angle));
+  if (o.geometry && o.surface != Surface::adapt)
+    throw InputError("a geometry found with a surface that is kept, expected Surface::adapt");
   if (o.max_rounds < 0) throw InputError(fmt::format("{} rounds found, expected 0 or more", o.max_rounds));
 }
 
@@ -73,7 +76,9 @@ Session set_up(const Mesh& mesh, const Metric& metric, const AdaptOptions& optio
   report.seconds.emplace_back("build", build_watch.seconds());
 
   const Stopwatch geometry_watch;
-  Model model = classify(mesh, built, options.surface, options.ridge_angle);
+  Model model = classify(mesh, built, options.surface, options.ridge_angle,
+                         options.geometry ? options.geometry->shared_surface() : nullptr);
+  require_near_surface(built.mesh, model);
   count_mended(built, model, report);
   report.seconds.emplace_back("geometry", geometry_watch.seconds());
 
