@@ -50,7 +50,10 @@ AdaptInput read_input(const AdaptJob& job) {
 SolutionResult work_on(const AdaptJob& job, const AdaptInput& input, AdaptOptions options) {
   if (adapts_to_fields(job))
     return with_files(
-        job.input, {{"fields: ", fmt::format("{}", fmt::join(job.field.files, ", "))}, {"metric: ", "--complexity"}, {"geometry: ", job.geometry}},
+        job.input,
+        {{"fields: ", fmt::format("{}", fmt::join(job.field.files, ", "))},
+         {"metric: ", "--complexity"},
+         {"geometry: ", job.geometry}},
         [&] { return adapt_to_solution(input.mesh, input.fields, solution_options(job.field, job.limits, options)); });
   options.limits = limits_of(job.limits);
   SolutionResult result;
@@ -108,8 +111,9 @@ void print_note(const std::string& file, std::size_t count, const char* what) {
 void print_notes(const AdaptJob& job, const Report& report) {
   print_note(job.input, report.reoriented, "inverted tetrahedra were reoriented");
   print_note(job.input, report.triangles_built, "missing triangles on the boundary or between regions were added");
-  print_note(job.geometry, report.off_surface,
-             "vertices of the boundary are not on this geometry, because they may not move or tetrahedra would turn over");
+  print_note(
+      job.geometry, report.off_surface,
+      "vertices of the boundary are not on this geometry, because they may not move or tetrahedra would turn over");
   if (job.options.surface != Surface::fixed)
     print_note(job.input, report.triangles_frozen,
                job.options.surface == Surface::planar

@@ -66,8 +66,9 @@ void require_one_target(const AdaptJob& job) {
 // Nothing would be moved onto it.
 void require_adapted_surface(const AdaptJob& job) {
   if (!job.geometry.empty() && job.options.surface != Surface::adapt)
-    throw InputError(fmt::format("--geometry with --surface {} found, expected --surface adapt; see 'taut adapt --help'",
-                                 word_of(job.options.surface)));
+    throw InputError(
+        fmt::format("--geometry with --surface {} found, expected --surface adapt; see 'taut adapt --help'",
+                    word_of(job.options.surface)));
 }
 
 }  // namespace

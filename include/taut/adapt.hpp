@@ -41,9 +41,9 @@ struct AdaptOptions {
   /// Degrees; an edge is a ridge if the normals of its two triangles differ by this or more. Without it the shape of
   /// the surface decides (Geometry); between planar patches 45 degrees do.
   std::optional<double> ridge_angle{};
-  /// Where the vertices of the boundary and of interfaces have to lie, instead of on a surface made from this mesh: made
-  /// once, it keeps them on one surface through any number of adaptations. It may come from a finer or coarser mesh.
-  /// Each triangle belongs to the patch of its reference that is closest to it, or of any where references are 0.
+  /// Where the vertices of the boundary and of interfaces have to lie, instead of on a surface made from this mesh:
+  /// made once, it keeps them on one surface through any number of adaptations. It may come from a finer or coarser
+  /// mesh. Each triangle belongs to the patch of its reference that is closest to it, or of any where references are 0.
   /// Vertices off the surface are moved onto it as far as the tetrahedra allow. Planes of the mesh that it does not
   /// hold stay planes. It has its own ridge angle. Needs Surface::adapt.
   std::optional<Geometry> geometry{};
@@ -90,8 +90,8 @@ struct Report {
   /// Vertices that are not on AdaptOptions::geometry at the end: they are required or corners of the input, or
   /// tetrahedra would turn over. 0 without one.
   std::size_t off_surface = 0;
-  std::uint64_t hash = 0;            ///< of all arrays of the mesh and of its metric; equal hashes, equal bits
-  Quality quality;                   ///< of the result in `AdaptResult::metric`
+  std::uint64_t hash = 0;  ///< of all arrays of the mesh and of its metric; equal hashes, equal bits
+  Quality quality;         ///< of the result in `AdaptResult::metric`
 };
 
 /// The adapted mesh, and how it relates to the input.

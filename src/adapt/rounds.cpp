@@ -39,7 +39,12 @@ constexpr double edges_per_tet = 1.19;  // of a mesh of good tetrahedra with som
 class Rounds {
 public:
   Rounds(Session& session, const RoundRules& rules, const ProgressCallback& progress, Report& report)
-      : session_(session), mesh_(session.mesh), passes_(session, rules.block_size), rules_(rules), progress_(progress), report_(report) {}
+      : session_(session),
+        mesh_(session.mesh),
+        passes_(session, rules.block_size),
+        rules_(rules),
+        progress_(progress),
+        report_(report) {}
 
   void run() {
     tets_when_ordered_ = mesh_.tet_count();

@@ -47,9 +47,8 @@ void bend_patches(const Reference& reference, const TetMesh& mesh, Model& model)
   for (const TriangleId t : mesh.triangle_ids()) {
     const Triangle& triangle = mesh.triangles[t];
     Patch& patch = model.patches[triangle.patch];
-    if (patch.required || bends[triangle.patch] == 0) continue;
-    patch.shape =
-        Curved{reference.patch_of(t), sense[triangle.patch] < 0 ? -1.0 : 1.0, triangle.side[1] != outside};
+    if (patch.required || bends[triangle.patch] == 0 || reference.patch_of(t) == none) continue;
+    patch.shape = Curved{reference.patch_of(t), sense[triangle.patch] < 0 ? -1.0 : 1.0, triangle.side[1] != outside};
   }
 }
 

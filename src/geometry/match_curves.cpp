@@ -12,7 +12,8 @@
 namespace taut {
 namespace {
 
-constexpr double near_curve = 0.1;  // share of its length up to which an edge may be away from a curve along which it runs
+constexpr double near_curve =
+    0.1;  // share of its length up to which an edge may be away from a curve along which it runs
 
 std::vector<std::array<VertexId, 2>> edges_of_input(const Mesh& input, const Built& built) {
   std::vector<std::array<VertexId, 2>> edges;

@@ -175,7 +175,8 @@ std::string place_of(const TetMesh& mesh, std::span<const VertexId> vertices) {
     numbers.push_back(mesh.origin_of_vertex[v] + 1);
     centre = centre + (1.0 / static_cast<double>(vertices.size())) * mesh.x(v);
   }
-  return fmt::format("{} of the mesh at ({:.6g} {:.6g} {:.6g})", fmt::join(numbers, " "), centre[0], centre[1], centre[2]);
+  return fmt::format("{} of the mesh at ({:.6g} {:.6g} {:.6g})", fmt::join(numbers, " "), centre[0], centre[1],
+                     centre[2]);
 }
 
 std::vector<PatchMatch> match_patches(const ReferenceSurface& surface, const Built& built,

@@ -26,8 +26,8 @@ public:
   /// (surface/ridges.hpp).
   Reference(const Mesh& input, const Built& built, std::optional<double> angle);
 
-  /// Made from another mesh. `built` has patches by angle, which are those in `patches`; `uses` are of its edges. Throws
-  /// InputError where the mesh does not match the surface.
+  /// Made from another mesh. `built` has patches by angle, which are those in `patches`; `uses` are of its edges.
+  /// Throws InputError where the mesh does not match the surface.
   Reference(std::shared_ptr<const ReferenceSurface> given, const Mesh& input, const Built& built,
             const std::vector<Patch>& patches, const std::vector<EdgeUse>& uses);
 
@@ -52,12 +52,12 @@ private:
   void find_straight_curves();
 
   std::shared_ptr<const ReferenceSurface> surface_;
-  std::vector<PatchMatch> matches_;            // by triangle of the mesh
-  std::vector<CurveMatch> ridges_;             // ascending
+  std::vector<PatchMatch> matches_;  // by triangle of the mesh
+  std::vector<CurveMatch> ridges_;   // ascending
   std::vector<CornerMatch> corners_;
-  std::vector<std::optional<Plane>> planes_;   // by patch of the surface
-  std::vector<std::uint8_t> in_plane_;         // by triangle of the mesh
-  std::vector<std::uint8_t> straight_;         // by curve
+  std::vector<std::optional<Plane>> planes_;  // by patch of the surface
+  std::vector<std::uint8_t> in_plane_;        // by triangle of the mesh
+  std::vector<std::uint8_t> straight_;        // by curve
 };
 
 }  // namespace taut

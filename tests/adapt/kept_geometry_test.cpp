@@ -202,6 +202,28 @@ TEST(KeptGeometry, WithoutReferencesThePlaceDecides) {
   EXPECT_NEAR(ridge_length(result.mesh), 4 * std::numbers::pi, 0.2);
 }
 
+/// A curved sheet between two regions: the cube with its middle plane bent.
+Mesh bent_regions(Index n) {
+  Mesh mesh = two_regions(n);
+  for (auto& [x, y, z] : mesh.points) x += 0.4 * x * (1 - x) * std::sin(3 * y) * std::cos(2 * z);
+  return mesh;
+}
+
+TEST(KeptGeometry, InterfacesLieOnIt) {
+  Mesh sheet = bent_regions(16);
+  sheet.tetrahedra.clear();
+  sheet.tetrahedron_refs.clear();
+  const Geometry geometry(sheet);
+  Mesh mesh = bent_regions(6);
+  for (const double size : {0.1, 0.25, 0.1}) {
+    const AdaptResult result = adapted(mesh, size, geometry);
+    mesh = result.mesh;
+    EXPECT_EQ(result.report.off_surface, 0);
+    EXPECT_LT(farthest_from(geometry, mesh), rounding);
+  }
+  EXPECT_NEAR(volume_of(mesh), 1, 1e-9);
+}
+
 TEST(KeptGeometry, AMeshThatDoesNotMatch) {
   const Geometry sphere(round_ball(6));
   Mesh large = round_ball(6);
