@@ -61,19 +61,19 @@ public:
 
   // What is unsure follows its neighbours, from those that are sure on.
   void vote(const std::vector<EdgeUse>& uses) {
-    std::vector<std::vector<TriangleId>> neighbours(choices_.size());
-    for_each_edge(uses, [&](std::span<const EdgeUse> at) {
-      if (at.size() != 2 || refs_[at[0].triangle] != refs_[at[1].triangle]) return;
-      neighbours[at[0].triangle].push_back(at[1].triangle);
-      neighbours[at[1].triangle].push_back(at[0].triangle);
-    });
-    std::vector<std::uint8_t> sure(choices_.size());
-    for (std::size_t t = 0; t < sure.size(); ++t) sure[t] = choices_[t].is_sure() ? 1 : 0;
-    for (bool changes = true; changes;) {
-      const std::vector<std::uint8_t> before = sure;
-      changes = false;
-      for (std::size_t t = 0; t < sure.size(); ++t)
-        if (before[t] == 0 && decide(choices_[t], neighbours[t], before)) changes = (sure[t] = 1) != 0;
+    const auto neighbours = neighbours_of(uses);
+    std::vector<std::uint8_t> is_sure(choices_.size());
+    std::vector<TriangleId> unsure;
+    for (const TriangleId t : mesh_.triangle_ids()) {
+      is_sure[t] = choices_[t].is_sure() ? 1 : 0;
+      if (is_sure[t] == 0) unsure.push_back(t);
+    }
+    for (std::size_t before = unsure.size() + 1; unsure.size() < before;) {
+      before = unsure.size();
+      std::vector<TriangleId> decided, rest;
+      for (const TriangleId t : unsure) (decide(choices_[t], neighbours[t], is_sure) ? decided : rest).push_back(t);
+      for (const TriangleId t : decided) is_sure[t] = 1;
+      unsure = std::move(rest);
     }
   }
 
@@ -102,6 +102,17 @@ public:
   }
 
 private:
+  // Across edges between two triangles of one reference.
+  [[nodiscard]] std::vector<std::vector<TriangleId>> neighbours_of(const std::vector<EdgeUse>& uses) const {
+    std::vector<std::vector<TriangleId>> neighbours(choices_.size());
+    for_each_edge(uses, [&](std::span<const EdgeUse> at) {
+      if (at.size() != 2 || refs_[at[0].triangle] != refs_[at[1].triangle]) return;
+      neighbours[at[0].triangle].push_back(at[1].triangle);
+      neighbours[at[1].triangle].push_back(at[0].triangle);
+    });
+    return neighbours;
+  }
+
   [[nodiscard]] PatchId patch(TriangleId t) const { return mesh_.triangles[t].patch; }
   [[nodiscard]] bool is_planar(TriangleId t) const { return !patches_[patch(t)].frozen(); }
 
