@@ -9,6 +9,7 @@
 
 #include "taut/adapt.hpp"
 #include "taut/export.hpp"
+#include "taut/geometry.hpp"
 #include "taut/mesh.hpp"
 #include "taut/metric.hpp"
 
@@ -25,6 +26,7 @@ struct PlaceOptions {
   double deviation = 0;                 ///< edges and faces on the surface farther than this from it are split; 0: none
   Surface surface = Surface::adapt;     ///< what may change on the boundary and between regions
   std::optional<double> ridge_angle{};  ///< degrees, as in AdaptOptions
+  std::optional<Geometry> geometry{};   ///< as in AdaptOptions, but vertices that are off it are only counted
 };
 
 /// A mesh, and what was done to it.

@@ -7,6 +7,7 @@
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "geometry/classify.hpp"
+#include "geometry/off_surface.hpp"
 #include "mesh/build.hpp"
 #include "metric/field.hpp"
 #include "sizing/complexity.hpp"
@@ -22,6 +23,8 @@ void require_options(const AdaptOptions& o) {
     throw InputError(fmt::format("deviation {} found, expected 0 or more", o.deviation));
   if (o.deviation > 0 && o.surface != Surface::adapt)
     throw InputError("deviation: curved patches are kept, expected Surface::adapt");
+  if (o.geometry && o.surface != Surface::adapt)
+    throw InputError("a geometry found with a surface that is kept, expected Surface::adapt");
   if (o.max_rounds < 0) throw InputError(fmt::format("{} rounds found, expected 0 or more", o.max_rounds));
 }
 
@@ -92,7 +95,9 @@ Session set_up(const Mesh& mesh, const Metric& metric, const AdaptOptions& optio
   report.seconds.emplace_back("build", build_watch.seconds());
 
   const Stopwatch geometry_watch;
-  Model model = classify(mesh, built, options.surface, options.ridge_angle);
+  Model model = classify(mesh, built, options.surface, options.ridge_angle,
+                         options.geometry ? options.geometry->shared_surface() : nullptr);
+  require_near_surface(built.mesh, model);
   if (options.deviation > 0) model.deviation = options.deviation;
   count_mended(built, model, report);
   report.seconds.emplace_back("geometry", geometry_watch.seconds());

@@ -29,20 +29,35 @@ std::vector<InnerEdge> inner_edges(const TetMesh& mesh, const std::vector<Featur
 }
 
 // What a reference surface knows to be the tip of something has no normal.
-void fix_corners_of(const ReferenceSurface& surface, std::vector<std::uint8_t>& fixed) {
-  for (const ReferenceCorner& corner : surface.corners()) fixed[corner.vertex] = 1;
+void fix_corners_of(const Reference& reference, std::vector<std::uint8_t>& fixed) {
+  for (const CornerMatch& corner : reference.corners()) fixed[corner.vertex] = 1;
 }
 
-// Patches that are neither planar nor required become parts of those of the reference.
+// Patches that are neither planar nor required become parts of those of the reference; so do planar ones that are not
+// in the reference's plane.
 void bend_patches(const Reference& reference, const TetMesh& mesh, Model& model) {
   model.surface = reference.surface();
+  std::vector<std::uint8_t> bends(model.patches.size(), 0);
+  std::vector<double> sense(model.patches.size(), 0);  // that of most triangles
+  for (const TriangleId t : mesh.triangle_ids()) {
+    const PatchId p = mesh.triangles[t].patch;
+    sense[p] += reference.sense_of(t);
+    if (model.patches[p].frozen() || !reference.is_in_plane(t)) bends[p] = 1;
+  }
   for (const TriangleId t : mesh.triangle_ids()) {
     const Triangle& triangle = mesh.triangles[t];
     Patch& patch = model.patches[triangle.patch];
-    if (patch.required || !patch.frozen()) continue;
-    patch.shape = Curved{reference.surface()->patch_of(t), reference.has_sense_of(mesh, t) ? 1.0 : -1.0,
-                         triangle.side[1] != outside};
+    if (patch.required || bends[triangle.patch] == 0 || reference.patch_of(t) == none) continue;
+    patch.shape = Curved{reference.patch_of(t), sense[triangle.patch] < 0 ? -1.0 : 1.0, triangle.side[1] != outside};
   }
+}
+
+// Vertices that the input lets move go to the corners of a given reference.
+void place_corners(const Reference& reference, const TetMesh& mesh, const std::vector<std::uint8_t>& stays,
+                   Model& model) {
+  for (const auto& [vertex, place] : reference.corners())
+    if (const Tag tag = mesh.tag_of_vertex[vertex]; stays[vertex] == 0 && tag.corner() != shared_corner)
+      model.corners[tag.corner()].place = place;
 }
 
 bool any_bent(const std::vector<Patch>& patches) {
@@ -59,7 +74,8 @@ void freeze_surface(Model& model, TetMesh& mesh) {
 
 }  // namespace
 
-Model classify(const Mesh& input, Built& built, Surface surface, std::optional<double> ridge_angle) {
+Model classify(const Mesh& input, Built& built, Surface surface, std::optional<double> ridge_angle,
+               const std::shared_ptr<const ReferenceSurface>& given) {
   TetMesh& mesh = built.mesh;
   const double tolerance = flatness_tolerance(mesh);
   const auto required = required_triangles(input, built);
@@ -75,8 +91,12 @@ Model classify(const Mesh& input, Built& built, Surface surface, std::optional<d
     find_shapes(mesh, model.patches, tolerance);
   };
   part();
-  if (surface == Surface::adapt && any_bent(model.patches)) {
-    reference.emplace(input, built, ridge_angle);
+  model.surface_is_given = given != nullptr && surface == Surface::adapt;
+  if (model.surface_is_given || (surface == Surface::adapt && any_bent(model.patches))) {
+    if (model.surface_is_given)
+      reference.emplace(given, input, built, model.patches, uses);
+    else
+      reference.emplace(input, built, ridge_angle);
     ridges.reference = &*reference;
     features = find_features(input, built, uses, required, ridges);
     part();
@@ -87,11 +107,13 @@ Model classify(const Mesh& input, Built& built, Surface surface, std::optional<d
   model.inner_edges = inner_edges(mesh, features.inner);
 
   auto fixed = find_fixed_vertices(input, built, model, features);
-  if (reference) fix_corners_of(*reference->surface(), fixed);
+  const std::vector<std::uint8_t> stays = fixed;
+  if (reference) fix_corners_of(*reference, fixed);
   const FeatureGraph graph(mesh, features.surface, fixed, tolerance, reference ? &*reference : nullptr);
   Lines lines = find_lines(mesh, graph);
   model.lines = std::move(lines.lines);
   set_tags(mesh, model, graph, lines.line_of_feature);
+  if (model.surface_is_given) place_corners(*reference, mesh, stays, model);
   if (surface == Surface::fixed) freeze_surface(model, mesh);
   return model;
 }

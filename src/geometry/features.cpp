@@ -68,12 +68,18 @@ public:
 private:
   [[nodiscard]] bool is_ridge(const EdgeUse& s, const EdgeUse& t) const {
     if (refs_[s.triangle] != refs_[t.triangle]) return true;
-    if (reference_ != nullptr) return reference_->curve_of(s.edge) != none;
+    if (reference_ != nullptr && knows(s, t))
+      return reference_->patch_of(s.triangle) != reference_->patch_of(t.triangle) ||
+             reference_->curve_of(s.edge) != none;
     const Vec3 &n = area_normal_[s.triangle], &m = area_normal_[t.triangle];
     // Interfaces may have either orientation: compare the normals as if both triangles traversed the edge in opposite
     // directions.
     const double sign = runs_forward(corners_of(s), s) != runs_forward(corners_of(t), t) ? 1 : -1;
     return sign * dot(n, m) <= smooth_cosine_ * norm(n) * norm(m);
+  }
+
+  [[nodiscard]] bool knows(const EdgeUse& s, const EdgeUse& t) const {
+    return reference_->patch_of(s.triangle) != none || reference_->patch_of(t.triangle) != none;
   }
 
   [[nodiscard]] bool parts(const Feature& given, std::span<const EdgeUse> uses) const {

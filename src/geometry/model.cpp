@@ -58,7 +58,8 @@ bool Model::on_line(Tag tag, LineId line) const {
 
 Vec3 Model::project(Tag tag, const Vec3& x) const {
   if (tag.is_on_patch()) return std::visit(Projection{surface.get(), x}, patches[tag.patch()].shape);
-  return tag.is_on_line() ? std::visit(Projection{surface.get(), x}, lines[tag.line()].shape) : x;
+  if (tag.is_on_line()) return std::visit(Projection{surface.get(), x}, lines[tag.line()].shape);
+  return tag.is_at_corner() ? corners[tag.corner()].place.value_or(x) : x;
 }
 
 Vec3 Model::normal(Tag tag, const Vec3& x) const {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -64,6 +65,7 @@ struct Line {
 struct Corner {
   std::vector<PatchId> patches;
   std::vector<LineId> lines;
+  std::optional<Vec3> place{};  ///< of the corner of a given surface, where the vertex has to go
 };
 
 /// The tetrahedra of one reference. Those of a frozen region are kept, because the input requires them or an edge
@@ -93,6 +95,7 @@ public:
   bool has_frozen_region = false;
   std::shared_ptr<const ReferenceSurface> surface;             ///< null unless a patch is curved
   double deviation = std::numeric_limits<double>::infinity();  ///< allowed between triangles and curved patches
+  bool surface_is_given = false;  ///< made from another mesh: vertices may be off it at first
 
   /// A corner of those of its patches and lines that may change.
   CornerId add_corner(Corner corner);
@@ -101,7 +104,8 @@ public:
   [[nodiscard]] bool on_patch(Tag tag, PatchId patch) const;
   /// Whether a vertex with this tag lies on the line or its ends, and the line may change.
   [[nodiscard]] bool on_line(Tag tag, LineId line) const;
-  /// The point of the vertex's patch or line nearest to x; x itself in the volume, at a corner and on what is frozen.
+  /// The point of the vertex's patch or line nearest to x, and the place of its corner if it has to go there; x itself
+  /// in the volume, at any other corner and on what is frozen.
   [[nodiscard]] Vec3 project(Tag tag, const Vec3& x) const;
   /// The unit normal of the vertex's patch at the point nearest to x, in the sense of its triangles. Zero where there
   /// is no one normal: in the volume, on lines, at corners, on what is frozen.

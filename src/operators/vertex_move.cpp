@@ -77,10 +77,22 @@ Outcome VertexMove::propose(const Vec3& step) {
   moved_.x = k_.model.project(tag_, old_.x + step);
   if (!k_.batch.all_see(moved_.x)) return Outcome::inverted;
   if (!facets_.empty() && !facets_fit()) return Outcome::surface;
+  evaluate();
+  return Outcome::accepted;
+}
+
+Outcome VertexMove::propose_at(const Vec3& place) {
+  measured_ = false;
+  moved_.x = place;
+  if (!k_.batch.all_see(moved_.x)) return Outcome::inverted;
+  evaluate();
+  return Outcome::accepted;
+}
+
+void VertexMove::evaluate() {
   host_ = mesh_.host_of_vertex[v_];
   moved_.m = k_.target.at(moved_.x, host_);
   k_.batch.evaluate(moved_);
-  return Outcome::accepted;
 }
 
 std::span<const double> VertexMove::new_lengths() {

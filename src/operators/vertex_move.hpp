@@ -30,6 +30,9 @@ public:
   /// otherwise the kernel's batch holds the ball's qualities there afterwards.
   [[nodiscard]] Outcome propose(const Vec3& step);
 
+  /// The same at any place, which may be off the patch or line, however well the triangles fit there.
+  [[nodiscard]] Outcome propose_at(const Vec3& place);
+
   /// The lengths of the edges from the place proposed; valid until the next propose().
   [[nodiscard]] std::span<const double> new_lengths();
 
@@ -45,6 +48,7 @@ private:
   void gather_facets();
   [[nodiscard]] double worst_misfit(const Vec3& x) const;
   [[nodiscard]] bool facets_fit();
+  void evaluate();
   [[nodiscard]] bool all_positive() const;
   void write(const MoveRules& rules);
   void note_lengths();
