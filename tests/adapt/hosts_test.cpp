@@ -17,7 +17,7 @@ Point placed(const Mesh& mesh, const Host& host) {
 // host is then one nearby.
 class Hosts : public testing::TestWithParam<Surface> {
 protected:
-  static constexpr double sag_of_ball = 0.1;
+  static constexpr double sag_of_ball = 0.06;
   [[nodiscard]] double tolerance(bool is_ball, const Host& host) const {
     const bool is_inside = *std::ranges::min_element(host.weights) > 1e-12;
     return is_ball && GetParam() == Surface::adapt && !is_inside ? sag_of_ball : 1e-9;

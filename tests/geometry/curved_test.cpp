@@ -107,8 +107,9 @@ TEST(ClassifyCurved, ASeamIsNoLineUnlessItIsMarked) {
   ASSERT_EQ(mesh.edges.size(), 8);
   EXPECT_EQ(curved(mesh).count(), (test::Count{3, 2, 0}));
   for (Index e = 0; e < 8; ++e) mesh.ridges.push_back(e);
-  EXPECT_EQ(curved(mesh).count().corners, 2) << "where the seam meets the rims";
-  EXPECT_EQ(curved(mesh).count().lines, 3);
+  const Classified marked = curved(mesh);
+  EXPECT_EQ(marked.count(), (test::Count{3, 10, 9})) << "a ridge with one patch on both sides is kept edge by edge";
+  EXPECT_TRUE(marked.line(mesh.edges[0][0], mesh.edges[0][1])->frozen);
 }
 
 std::array<Vec3, 3> points_of(const TetMesh& mesh, const Triangle& t) {
