@@ -44,8 +44,7 @@ Mesh cone(Index rings, double height) {
   mesh.triangles.clear();
   test::add_triangles(mesh);
   mesh.triangle_refs.clear();
-  for (const auto& t : mesh.triangles)
-    mesh.triangle_refs.push_back(test::centre_of(mesh, t)[2] == 0 ? bottom : side);
+  for (const auto& t : mesh.triangles) mesh.triangle_refs.push_back(test::centre_of(mesh, t)[2] == 0 ? bottom : side);
   return mesh;
 }
 

@@ -24,9 +24,10 @@ protected:
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(All, Hosts, testing::Values(Surface::adapt, Surface::planar), [](const testing::TestParamInfo<Surface>& i) {
-  return i.param == Surface::adapt ? "adapt" : "planar";
-});
+INSTANTIATE_TEST_SUITE_P(All, Hosts, testing::Values(Surface::adapt, Surface::planar),
+                         [](const testing::TestParamInfo<Surface>& i) {
+                           return i.param == Surface::adapt ? "adapt" : "planar";
+                         });
 
 TEST_P(Hosts, TellWhereEachPointLiesInTheInput) {
   for (const bool by_function : {true, false}) {

@@ -57,7 +57,9 @@ std::string name_of(const testing::TestParamInfo<Runs::ParamType>& info) {
   const Surface surface = std::get<2>(info.param);
   return domains()[static_cast<std::size_t>(std::get<0>(info.param))].name + "_" +
          fields()[static_cast<std::size_t>(std::get<1>(info.param))].name +
-         (surface == Surface::fixed ? "_fixed" : surface == Surface::planar ? "_planar" : "_adapt");
+         (surface == Surface::fixed    ? "_fixed"
+          : surface == Surface::planar ? "_planar"
+                                       : "_adapt");
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Runs,
