@@ -71,8 +71,7 @@ TEST(Curved, ASphereBecomesFiner) {
   const Mesh in = sphere(8);
   const AdaptResult result = adapt(in, test::uniform(0.14), {.max_rounds = 12});
   test::expect_near_curved(result, in);
-  RecordProperty("distance", std::to_string(distance_from_sphere(result.mesh)));
-  EXPECT_LT(distance_from_sphere(result.mesh), 4e-4);
+  EXPECT_LT(distance_from_sphere(result.mesh), 6e-5) << "of flat triangles it is 0.017";
   EXPECT_GT(test::volume_of(result.mesh), test::volume_of(in));
   EXPECT_LT(test::volume_of(result.mesh), 4 * pi / 3);
   EXPECT_EQ(test::inward_triangles(result.mesh), 0);
@@ -85,7 +84,7 @@ TEST(Curved, ASphereBecomesCoarser) {
   const Mesh in = sphere(12);
   const AdaptResult result = adapt(in, test::uniform(0.4), {.max_rounds = 12});
   test::expect_near_curved(result, in);
-  EXPECT_LT(distance_from_sphere(result.mesh), 1e-4);
+  EXPECT_LT(distance_from_sphere(result.mesh), 1e-5);
   EXPECT_LT(test::volume_of(result.mesh), 4 * pi / 3);
   EXPECT_EQ(test::inward_triangles(result.mesh), 0);
   EXPECT_LT(result.mesh.triangles.size(), in.triangles.size() / 2);
@@ -118,7 +117,7 @@ void expect_cylinder(const Mesh& mesh, double height) {
       EXPECT_LT(std::abs(x[2] - height), 1e-14);
     }
     if (of.contains(side)) {
-      EXPECT_NEAR(std::hypot(x[0], x[1]), 1, 5e-4);
+      EXPECT_NEAR(std::hypot(x[0], x[1]), 1, 1e-4);
     }
     on_rims += of.size() == 2 ? 1 : 0;
   }
@@ -175,7 +174,7 @@ TEST(Curved, AnInterfaceIsAdaptedFromBothSides) {
     for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t)
       for (const Index p : result.mesh.triangles[t])
         if (result.mesh.triangle_refs[t] == interface) {
-          EXPECT_NEAR(norm(result.mesh.points[p]), 0.5, 2e-3);
+          EXPECT_NEAR(norm(result.mesh.points[p]), 0.5, 2e-4);
         }
   }
 }
@@ -189,7 +188,7 @@ TEST(Curved, WhatIsRequiredStaysToTheBit) {
     in.required_points = {in.triangles[300][0], in.triangles[60][2]};
     const AdaptResult result = adapt(in, test::uniform(size), {.max_rounds = 12});
     test::expect_valid(result, in);
-    EXPECT_LT(distance_from_sphere(result.mesh), 2e-3);
+    EXPECT_LT(distance_from_sphere(result.mesh), 6e-5);
     EXPECT_EQ(test::inward_triangles(result.mesh), 0);
     EXPECT_EQ(result.report.triangles_frozen, 3);
   }
