@@ -1,4 +1,6 @@
-// The edges at which the surface is parted.
+// The edges at which the surface is parted: ridges, where references meet, and edges of the input. On curved patches an
+// edge of the input counts only if it is marked as a ridge or required: meshers write the seams of periodic surfaces,
+// where nothing is to be seen.
 #pragma once
 
 #include <array>

@@ -51,6 +51,7 @@ private:
     std::array<CellId, 4> beyond;  ///< cell behind each face; `none` at the boundary
   };
 
+  [[nodiscard]] double miss(CellId cell, const Vec3& x, Weights weights) const;
   void search_around(const Vec3& x, CellId& host, Weights& weights) const;
 
   std::vector<Vec3> points_;

@@ -52,8 +52,8 @@ std::vector<Case> cases() {
       {"patchwork", 0xad2b0a14a4005585U, cube, test::patchwork(0.5, 1), {}},
       {"regions", 0x20fa84e9068ede9cU, regions, test::front(0.3, 0.6), {}},
       {"corner", 0x7dab5f2e7ed1556U, corner, test::uniform(0.1), {}},
-      {"vault", 0x238619fedb35db48U, test::vault(cube), test::uniform(0.1), {}},
-      {"ball", 0x15771b1ada74cf98U, test::ball(test::cube(6)), test::uniform(0.15), {}},
+      {"vault", 0xf41c29b359e3bde9U, test::vault(cube), test::uniform(0.1), {}},
+      {"ball", 0xb14ee0518f0ad79aU, test::ball(test::cube(6)), test::uniform(0.15), {}},
   };
 }
 

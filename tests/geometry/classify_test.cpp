@@ -139,7 +139,7 @@ Mesh roof() {
 
 TEST(Classify, TheAngleDecidesWhatIsARidge) {
   const double angle = 2 * std::atan(0.3) * 180 / 3.14159265358979;
-  const Classified sharp(roof(), Surface::adapt, angle - 0.5), smooth(roof(), Surface::adapt, angle + 0.5);
+  const Classified sharp(roof(), Surface::planar, angle - 0.5), smooth(roof(), Surface::planar, angle + 0.5);
   EXPECT_EQ(sharp.count(), (test::Count{7, 15, 10}));
   EXPECT_EQ(sharp.frozen_patches(), 0);
   EXPECT_EQ(smooth.count().patches, 6);
