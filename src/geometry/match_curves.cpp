@@ -12,8 +12,9 @@
 namespace taut {
 namespace {
 
-constexpr double near_curve =
-    0.1;  // share of its length up to which an edge may be away from a curve along which it runs
+// Share of its length up to which an edge may be away from a curve along which it runs, and a vertex of that edge from
+// a corner that the mesh need not have.
+constexpr double near_curve = 0.1;
 
 std::vector<std::array<VertexId, 2>> edges_of_input(const Mesh& input, const Built& built) {
   std::vector<std::array<VertexId, 2>> edges;
@@ -118,12 +119,12 @@ Reaches reaches_of(const TetMesh& mesh, std::span<const CurveMatch> curves) {
   return reaches;
 }
 
-VertexId nearest_vertex(const TetMesh& mesh, const Reaches& reaches, const Vec3& x) {
+VertexId nearest_vertex(const TetMesh& mesh, const Reaches& reaches, const Vec3& x, double share) {
   VertexId nearest = none;
   double least = std::numeric_limits<double>::infinity();
   for (const VertexId v : mesh.vertex_ids()) {
     const double distance = reaches[v] > 0 ? norm(mesh.x(v) - x) : least;
-    if (distance >= least || distance > farthest_share * reaches[v]) continue;
+    if (distance >= least || distance > share * reaches[v]) continue;
     least = distance;
     nearest = v;
   }
@@ -149,12 +150,21 @@ std::vector<CornerMatch> match_corners(const ReferenceSurface& surface, const Bu
   for (const PatchMatch& match : patches)
     if (match.patch != none) has_patch[match.patch] = 1;
   const Reaches on_surface = reaches_of(mesh, patches), on_curves = reaches_of(mesh, curves);
+  // A ridge with one patch on both sides may end anywhere: the mesh need not have it.
+  const auto is_needed = [&](LineId l) {
+    return surface.curves()[l].patches.size() > 1 || std::ranges::find(curves, l, &CurveMatch::curve) != curves.end();
+  };
   std::vector<CornerMatch> matches;
   for (const ReferenceCorner& corner : surface.corners()) {
     if (std::ranges::none_of(corner.patches, [&](PatchId p) { return has_patch[p] != 0; })) continue;
     const Vec3& x = surface.facets().points[corner.vertex];
-    const VertexId v = nearest_vertex(mesh, corner.curves.empty() ? on_surface : on_curves, x);
-    if (v == none || is_taken[v] != 0)
+    const bool may_miss = !corner.curves.empty() && std::ranges::none_of(corner.curves, is_needed);
+    const double share = may_miss ? near_curve : farthest_share;
+    VertexId v = nearest_vertex(mesh, on_curves, x, share);
+    if (v == none) v = nearest_vertex(mesh, on_surface, x, share);
+    const bool is_missing = v == none || is_taken[v] != 0;
+    if (is_missing && may_miss) continue;
+    if (is_missing)
       throw InputError(fmt::format(
           "geometry: no vertex found for the corner at ({:.6g} {:.6g} {:.6g}), expected one within half an edge", x[0],
           x[1], x[2]));

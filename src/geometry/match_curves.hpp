@@ -31,8 +31,9 @@ struct CornerMatch {
                                                    const Built& built, std::span<const PatchMatch> patches,
                                                    const std::vector<EdgeUse>& uses);
 
-/// For each corner of the patches that the mesh has the nearest vertex: of the edges of curves, if any end there.
-/// Throws InputError for a corner without a vertex of its own within half an edge.
+/// For each corner of the patches that the mesh has the nearest vertex: of the edges of curves, or else of any edges.
+/// An end of a curve inside a patch that the mesh does not have needs none. Throws InputError for any other corner
+/// without a vertex of its own within half an edge.
 [[nodiscard]] std::vector<CornerMatch> match_corners(const ReferenceSurface& surface, const Built& built,
                                                      std::span<const PatchMatch> patches,
                                                      std::span<const CurveMatch> curves);
