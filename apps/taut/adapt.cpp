@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <initializer_list>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -25,10 +27,18 @@ struct AdaptInput {
   Mesh mesh;
   Metric metric;              ///< without fields
   std::vector<Field> fields;  ///< empty: the metric counts
+  std::optional<Geometry> geometry;
 };
 
+std::optional<Geometry> read_geometry(const AdaptJob& job) {
+  if (job.geometry.empty()) return std::nullopt;
+  const Mesh mesh = read_boundary(job.geometry);
+  return with_files(job.geometry, std::initializer_list<Source>{},
+                    [&] { return Geometry(mesh, {.ridge_angle = job.options.ridge_angle}); });
+}
+
 AdaptInput read_input(const AdaptJob& job) {
-  AdaptInput input{.mesh = read_mesh(job.input), .metric = {}, .fields = {}};
+  AdaptInput input{.mesh = read_mesh(job.input), .metric = {}, .fields = {}, .geometry = read_geometry(job)};
   if (adapts_to_fields(job)) {
     input.fields = read_fields(job.field.files, input.mesh.points.size());
   } else {
@@ -40,11 +50,14 @@ AdaptInput read_input(const AdaptJob& job) {
 SolutionResult work_on(const AdaptJob& job, const AdaptInput& input, AdaptOptions options) {
   if (adapts_to_fields(job))
     return with_files(
-        job.input, {{"fields: ", fmt::format("{}", fmt::join(job.field.files, ", "))}, {"metric: ", "--complexity"}},
+        job.input,
+        {{"fields: ", fmt::format("{}", fmt::join(job.field.files, ", "))},
+         {"metric: ", "--complexity"},
+         {"geometry: ", job.geometry}},
         [&] { return adapt_to_solution(input.mesh, input.fields, solution_options(job.field, job.limits, options)); });
   options.limits = limits_of(job.limits);
   SolutionResult result;
-  result.adapted = with_files(job.input, {{"metric: ", job.size ? "--size" : job.metric}},
+  result.adapted = with_files(job.input, {{"metric: ", job.size ? "--size" : job.metric}, {"geometry: ", job.geometry}},
                               [&] { return adapt(input.mesh, input.metric, options); });
   return result;
 }
@@ -57,6 +70,7 @@ SolutionResult adapt_files(const AdaptJob& job, const Interrupt& interrupt) {
 
   ProgressLine line(job.quiet);
   AdaptOptions options = job.options;
+  options.geometry = input.geometry;
   options.progress = [&](const Progress& progress) {
     line.show(progress);
     return !interrupt.requested();
@@ -97,9 +111,14 @@ void print_note(const std::string& file, std::size_t count, const char* what) {
 void print_notes(const AdaptJob& job, const Report& report) {
   print_note(job.input, report.reoriented, "inverted tetrahedra were reoriented");
   print_note(job.input, report.triangles_built, "missing triangles on the boundary or between regions were added");
-  if (job.options.surface == Surface::adapt)
+  print_note(
+      job.geometry, report.off_surface,
+      "vertices of the boundary are not on this geometry, because they may not move or tetrahedra would turn over");
+  if (job.options.surface != Surface::fixed)
     print_note(job.input, report.triangles_frozen,
-               "triangles were kept as they are, because their patch is not planar or they are required");
+               job.options.surface == Surface::planar
+                   ? "triangles were kept as they are, because their patch is not planar or they are required"
+                   : "triangles were kept as they are, because they are required");
 }
 
 void print_summary(const AdaptJob& job, const SolutionResult& result, double seconds) {

@@ -19,6 +19,7 @@ constexpr const char* examples =
     "  taut adapt wing.meshb --metric wing-met.solb -o adapted.meshb\n"
     "  taut adapt part.mesh --size 0.05 --surface fixed -o fine.mesh\n"
     "  taut adapt wing.meshb --field mach.solb --complexity 50000 -o next.meshb\n"
+    "  taut adapt step3.meshb --size 0.1 --geometry first.meshb -o step4.meshb\n"
     "  taut adapt box.meshb --metric m.solb --gradation 1.3 --hmin 1e-4 -o out.meshb --report out.json";
 
 void add_files(CLI::App& command, AdaptJob& job) {
@@ -39,9 +40,20 @@ void add_files(CLI::App& command, AdaptJob& job) {
   command.add_flag("--quiet", job.quiet, "print only errors");
 }
 
-void add_boundary(CLI::App& command, AdaptOptions& options) {
-  add_surface(command, options.surface, "remesh planar patches");
-  add_ridge_angle(command, options.ridge_angle);
+void add_boundary(CLI::App& command, AdaptJob& job) {
+  add_surface(command, job.options.surface,
+              "remesh all, with vertices on the curved surface that the triangles stand for");
+  command
+      .add_option("--geometry", job.geometry,
+                  "triangles or tetrahedra, .mesh or .meshb, whose curved surface the vertices of the boundary are to "
+                  "lie on, instead of that of IN; the same file for many adaptations keeps the surface")
+      ->type_name("FILE");
+  add_ridge_angle(command, job.options.ridge_angle);
+  command
+      .add_option("--deviation", job.options.deviation,
+                  "allowed distance between triangles and the curved surface: makes sizes smaller where it is curved")
+      ->type_name("D")
+      ->check(positive_number());
 }
 
 void require_one_target(const AdaptJob& job) {
@@ -56,6 +68,14 @@ void require_one_target(const AdaptJob& job) {
         fmt::format("{} found, expected only one of them; see 'taut adapt --help'", fmt::join(found, " and ")));
 }
 
+// Nothing would be moved onto it.
+void require_adapted_surface(const AdaptJob& job) {
+  if (!job.geometry.empty() && job.options.surface != Surface::adapt)
+    throw InputError(
+        fmt::format("--geometry with --surface {} found, expected --surface adapt; see 'taut adapt --help'",
+                    word_of(job.options.surface)));
+}
+
 }  // namespace
 
 void add_options(CLI::App& command, AdaptJob& job) {
@@ -63,7 +83,7 @@ void add_options(CLI::App& command, AdaptJob& job) {
   add_size(command, job.size);
   add_fields(command, job.field);
   add_limits(command, job.limits);
-  add_boundary(command, job.options);
+  add_boundary(command, job);
   command
       .add_option("--rounds,--passes", job.options.max_rounds,
                   "at most this many rounds; it stops earlier once they gain little")
@@ -82,6 +102,7 @@ void add_options(CLI::App& command, AdaptJob& job) {
 
 void require_sound(const AdaptJob& job) {
   require_one_target(job);
+  require_adapted_surface(job);
   require_sound(job.limits, "adapt");
 }
 

@@ -14,6 +14,7 @@ namespace taut::program {
 struct AdaptJob {
   std::string input, metric, output;
   std::string report, metric_out;  ///< empty: not written
+  std::string geometry;            ///< file of the surface for the boundary; empty: that of the mesh
   std::optional<double> size;      ///< wanted everywhere, instead of a metric or of fields
   FieldJob field;
   AskedLimits limits;

@@ -84,6 +84,7 @@ Json json_of(const Report& report) {
           {"reoriented", report.reoriented},
           {"triangles_built", report.triangles_built},
           {"triangles_frozen", report.triangles_frozen},
+          {"off_surface", report.off_surface},
           {"hash", fmt::format("{:016x}", report.hash)}};
 }
 
@@ -98,12 +99,14 @@ Json json_of(const AdaptJob& job) {
           {"options",
            {{"size", null_if_none(job.size)},
             {"surface", word_of(o.surface)},
+            {"geometry", null_if_empty(job.geometry)},
             {"hmin", job.limits.bounds.hmin},
             {"hmax", job.limits.bounds.hmax},
             {"anisotropy", job.limits.bounds.anisotropy},
             {"gradation", null_if_none(job.limits.beta)},
             {"gradation_mix", job.limits.mix},
-            {"angle", o.ridge_angle},
+            {"angle", null_if_none(o.ridge_angle)},
+            {"deviation", o.deviation > 0 ? Json(o.deviation) : Json()},
             {"rounds", o.max_rounds},
             {"threads", job.threads},
             {"block_size", o.block_size}}}};

@@ -70,7 +70,7 @@ Json options_of(const MoveJob& job) {
           {"anisotropy", bounds.anisotropy},
           {"gradation", job.limits.beta ? Json(*job.limits.beta) : Json()},
           {"gradation_mix", job.limits.mix},
-          {"angle", o.adaptation.ridge_angle},
+          {"angle", o.adaptation.ridge_angle ? Json(*o.adaptation.ridge_angle) : Json()},
           {"threads", job.threads}};
 }
 

@@ -43,13 +43,14 @@ CLI::Option* add_method(CLI::App& command, const char* name, Transfer& method) {
 
 void add_surface(CLI::App& command, Surface& surface, const std::string& adapt) {
   const auto set_surface = [&surface](const std::string& word) {
-    surface = word == "fixed" ? Surface::fixed : Surface::adapt;
+    surface = word == "fixed" ? Surface::fixed : word == "planar" ? Surface::planar : Surface::adapt;
   };
   command
-      .add_option_function<std::string>("--surface", set_surface,
-                                        "adapt (the default): " + adapt + "; fixed: keep all triangles")
+      .add_option_function<std::string>(
+          "--surface", set_surface,
+          "adapt (the default): " + adapt + "; planar: keep patches that are not planar; fixed: keep all triangles")
       ->type_name("WORD")
-      ->check(one_of({"adapt", "fixed"}));
+      ->check(one_of({"adapt", "planar", "fixed"}));
 }
 
 CLI::Option* add_size(CLI::App& command, std::optional<double>& size) {
@@ -73,6 +74,16 @@ void add_ridge_angle(CLI::App& command, double& degrees) {
       ->check(number([](double x) { return x > 0 && x < 180; }, "degrees between 0 and 180"));
 }
 
+void add_ridge_angle(CLI::App& command, std::optional<double>& degrees) {
+  const auto set_angle = [&degrees](const std::string& word) { degrees = number_in(word); };
+  command
+      .add_option_function<std::string>("--angle", set_angle,
+                                        "an edge is a ridge if the normals of its triangles differ by this or more, in "
+                                        "degrees, instead of by the shape of the surface on its two sides")
+      ->type_name("DEG")
+      ->check(number([](double x) { return x > 0 && x < 180; }, "degrees between 0 and 180"));
+}
+
 const char* word_of(Recovery recovery) {
   return recovery == Recovery::double_projection ? "projection" : "least-squares";
 }
@@ -82,7 +93,7 @@ const char* word_of(Transfer method) {
 }
 
 const char* word_of(Surface surface) {
-  return surface == Surface::fixed ? "fixed" : "adapt";
+  return surface == Surface::fixed ? "fixed" : surface == Surface::planar ? "planar" : "adapt";
 }
 
 }  // namespace taut::program

@@ -35,6 +35,7 @@ CLI::Option* add_size(CLI::App& command, std::optional<double>& size);
 
 /// The option --angle.
 void add_ridge_angle(CLI::App& command, double& degrees);
+void add_ridge_angle(CLI::App& command, std::optional<double>& degrees);
 
 /// The word for it on the command line.
 [[nodiscard]] const char* word_of(Recovery recovery);

@@ -10,6 +10,7 @@
 
 #include "taut/error.hpp"
 #include "taut/export.hpp"
+#include "taut/geometry.hpp"
 #include "taut/host.hpp"
 #include "taut/limits.hpp"
 #include "taut/mesh.hpp"
@@ -37,8 +38,20 @@ struct AdaptOptions {
   /// Applied to the metric before the work starts. Gradation samples a metric function at the input's vertices only:
   /// the target is then the field on the input mesh, no longer the function.
   Limits limits{};
-  double ridge_angle = 45;  ///< degrees; an edge is a ridge if the normals of its two triangles differ by this or more
-  int max_rounds = 40;      ///< the adaptation ends earlier once a round gains less than it costs
+  /// Degrees; an edge is a ridge if the normals of its two triangles differ by this or more. Without it the shape of
+  /// the surface decides (Geometry); between planar patches 45 degrees do.
+  std::optional<double> ridge_angle{};
+  /// Allowed distance between the triangles and the curved surface, in the unit of the mesh; 0: whatever the metric
+  /// asks for. Above 0, with Surface::adapt only, the metric is intersected with curvature_metric() for half of it,
+  /// which like gradation makes a field of a metric function. Operations that would exceed it are refused.
+  double deviation = 0;
+  /// Where the vertices of the boundary and of interfaces have to lie, instead of on a surface made from this mesh:
+  /// made once, it keeps them on one surface through any number of adaptations. It may come from a finer or coarser
+  /// mesh. Each triangle belongs to the patch of its reference that is closest to it, or of any where references are 0.
+  /// Vertices off the surface are moved onto it as far as the tetrahedra allow. Planes of the mesh that it does not
+  /// hold stay planes. It has its own ridge angle. Needs Surface::adapt.
+  std::optional<Geometry> geometry{};
+  int max_rounds = 40;          ///< the adaptation ends earlier once a round gains less than it costs
   ProgressCallback progress{};  ///< may end the adaptation after each pass
   /// Called once before the first round, with about how many tetrahedra the result will have: more if a metric function
   /// is finer between the points of the input. If it returns false, the mesh is returned as it is.
@@ -78,8 +91,11 @@ struct Report {
   std::size_t reoriented = 0;        ///< inverted tetrahedra of the input that were reoriented
   std::size_t triangles_built = 0;   ///< boundary and interface triangles that were missing from the input
   std::size_t triangles_frozen = 0;  ///< triangles kept as they are: not planar, required, or all if Surface::fixed
-  std::uint64_t hash = 0;            ///< of all arrays of the mesh and of its metric; equal hashes, equal bits
-  Quality quality;                   ///< of the result in `AdaptResult::metric`
+  /// Vertices that are not on AdaptOptions::geometry at the end: they are required or corners of the input, or
+  /// tetrahedra would turn over. 0 without one.
+  std::size_t off_surface = 0;
+  std::uint64_t hash = 0;  ///< of all arrays of the mesh and of its metric; equal hashes, equal bits
+  Quality quality;         ///< of the result in `AdaptResult::metric`
 };
 
 /// The adapted mesh, and how it relates to the input.
@@ -94,7 +110,9 @@ struct AdaptResult {
 
 /// Adapts `mesh` to `metric` (Dobrzynski and Frey 2008, sections 3 and 4). Sizes and tensors are interpolated on the
 /// input mesh, log-Euclidean; a function is called at each new place of a vertex, unless gradation is asked for. Throws
-/// InputError if the mesh, the metric or the options cannot be used, Failure if the result needs more than 32-bit ids.
+/// InputError if the mesh, the metric or the options cannot be used, one that begins with "geometry: " and names the
+/// place where the mesh does not match the geometry: a reference without a patch, a corner without a vertex, a vertex
+/// or triangle more than half an edge away. Throws Failure if the result needs more than 32-bit ids.
 /// An exception thrown by the function or the callback reaches the caller.
 [[nodiscard]] TAUT_EXPORT AdaptResult adapt(const Mesh& mesh, const Metric& metric, const AdaptOptions& options = {});
 

@@ -66,6 +66,8 @@ public:
 
   /// What the library itself works with.
   [[nodiscard]] const ReferenceSurface& surface() const { return *surface_; }
+  /// The same, to keep.
+  [[nodiscard]] const std::shared_ptr<const ReferenceSurface>& shared_surface() const { return surface_; }
 
 private:
   std::shared_ptr<const ReferenceSurface> surface_;

@@ -3,11 +3,13 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "taut/adapt.hpp"
 #include "taut/export.hpp"
+#include "taut/geometry.hpp"
 #include "taut/mesh.hpp"
 #include "taut/metric.hpp"
 
@@ -21,9 +23,10 @@ struct PlaceOptions {
   /// Largest Q that an inserted vertex may leave around it, above 1; a moved one a quarter of it. Where it was larger
   /// before, it may grow by a ninth. The last edges that deviate are split even if Q becomes ten times as large.
   double Q_max = 20;
-  double deviation = 0;              ///< edges and faces on the surface farther than this from it are split; 0: none
-  Surface surface = Surface::adapt;  ///< what may change on the boundary and between regions
-  double ridge_angle = 45;           ///< degrees, as in AdaptOptions
+  double deviation = 0;                 ///< edges and faces on the surface farther than this from it are split; 0: none
+  Surface surface = Surface::adapt;     ///< what may change on the boundary and between regions
+  std::optional<double> ridge_angle{};  ///< degrees, as in AdaptOptions
+  std::optional<Geometry> geometry{};   ///< as in AdaptOptions, but vertices that are off it are only counted
 };
 
 /// A mesh, and what was done to it.

@@ -6,7 +6,9 @@
 
 #include "adapt/block_passes.hpp"
 #include "base/stopwatch.hpp"
+#include "geometry/off_surface.hpp"
 #include "mesh/order.hpp"
+#include "operators/snap.hpp"
 
 namespace taut {
 namespace {
@@ -30,20 +32,29 @@ constexpr double disorder_while_growing = 1.5, disorder_at_rest = 1.1;
 constexpr double circling = 0.01, still_changing = 0.8, cancelled_out = 0.25;
 constexpr int circles_allowed = 4;  // they still mend the worst elements
 
+constexpr int snaps = 8;  // sweeps at a time over the vertices that are off their surface
+
 constexpr double edges_per_tet = 1.19;  // of a mesh of good tetrahedra with some boundary
 
 class Rounds {
 public:
   Rounds(Session& session, const RoundRules& rules, const ProgressCallback& progress, Report& report)
-      : mesh_(session.mesh), passes_(session, rules.block_size), rules_(rules), progress_(progress), report_(report) {}
+      : session_(session),
+        mesh_(session.mesh),
+        passes_(session, rules.block_size),
+        rules_(rules),
+        progress_(progress),
+        report_(report) {}
 
   void run() {
     tets_when_ordered_ = mesh_.tet_count();
+    if (!report_.cancelled) snap_to_surface();
     Gain gain, last, before_last;
     int circles = 0;
     for (round_ = 0; round_ < rules_.most && !report_.cancelled; ++round_) {
       before_last = std::exchange(last, std::exchange(gain, round()));
       ++report_.rounds;
+      if (report_.off_surface > 0) snap_to_surface();
       if (is_disordered(gain)) put_in_order();
       if (round_ > 0 && is_settled(gain, last)) break;
       circles = round_ > 2 && goes_in_circles(gain, last, before_last) ? circles + 1 : 0;
@@ -51,6 +62,7 @@ public:
     }
     round_ = static_cast<int>(report_.rounds) - 1;
     if (round_ >= 0 && rules_.passes.repair) pass(passes_.tallies().repair, [&] { passes_.mend(repair_rules()); });
+    report_.off_surface = vertices_off_surface(mesh_, session_.model).size();
     put_in_order();
     add_to_report();
   }
@@ -84,7 +96,22 @@ private:
     return {changed, grown, (done.efficiency_gain - before.efficiency_gain) / (edges_per_tet * tets)};
   }
 
-  [[nodiscard]] RepairRules repair_rules() const { return {.may_collapse = rules_.passes.collapse}; }
+  // A vertex that must not go all the way may once its neighbours have gone, or once the mesh around it is another one.
+  void snap_to_surface() {
+    std::vector<VertexId> off = vertices_off_surface(mesh_, session_.model);
+    Block whole;
+    Kernel kernel{.mesh = mesh_, .model = session_.model, .target = *session_.target, .block = &whole};
+    for (int i = 0; i < snaps && !off.empty(); ++i) {
+      const auto moved = std::ranges::count_if(off, [&](VertexId v) { return snap(kernel, v) == Outcome::accepted; });
+      if (moved == 0) break;
+      off = vertices_off_surface(mesh_, session_.model);
+    }
+    report_.off_surface = off.size();
+  }
+
+  [[nodiscard]] RepairRules repair_rules() const {
+    return {.may_collapse = rules_.passes.collapse, .may_insert = rules_.passes.insertion};
+  }
 
   [[nodiscard]] bool is_disordered(const Gain& gain) const {
     const double growth = static_cast<double>(mesh_.tet_count()) / static_cast<double>(tets_when_ordered_);
@@ -126,6 +153,7 @@ private:
     report_.seconds.emplace_back("order", order_seconds_);
   }
 
+  Session& session_;
   TetMesh& mesh_;
   BlockPasses passes_;
   const RoundRules& rules_;

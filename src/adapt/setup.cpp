@@ -2,23 +2,44 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "geometry/classify.hpp"
+#include "geometry/off_surface.hpp"
 #include "mesh/build.hpp"
 #include "metric/field.hpp"
 #include "sizing/complexity.hpp"
 #include "sizing/limits.hpp"
+#include "taut/sizing.hpp"
 
 namespace taut {
 void require_options(const AdaptOptions& o) {
   require_limits(o.limits);
-  if (!(o.ridge_angle > 0 && o.ridge_angle < 180))
-    throw InputError(fmt::format("ridge angle {} found, expected between 0 and 180 degrees", o.ridge_angle));
+  if (o.ridge_angle && !(*o.ridge_angle > 0 && *o.ridge_angle < 180))
+    throw InputError(fmt::format("ridge angle {} found, expected between 0 and 180 degrees", *o.ridge_angle));
+  if (!(o.deviation >= 0 && std::isfinite(o.deviation)))
+    throw InputError(fmt::format("deviation {} found, expected 0 or more", o.deviation));
+  if (o.deviation > 0 && o.surface != Surface::adapt)
+    throw InputError("deviation: curved patches are kept, expected Surface::adapt");
+  if (o.geometry && o.surface != Surface::adapt)
+    throw InputError("a geometry found with a surface that is kept, expected Surface::adapt");
   if (o.max_rounds < 0) throw InputError(fmt::format("{} rounds found, expected 0 or more", o.max_rounds));
 }
 
 namespace {
+
+// A triangle of unit edges is a third farther from a sphere than its edges' chords, and edges may be longer than 1.
+constexpr double deviation_of_chords = 0.5;
+
+Tensors wanted_at(const Mesh& input, const Metric& metric, const AdaptOptions& options) {
+  Tensors tensors = tensors_at(input, metric);
+  if (options.deviation == 0) return tensors;
+  CurvatureOptions curvature{.deviation = deviation_of_chords * options.deviation};
+  if (options.ridge_angle) curvature.ridge_angle = *options.ridge_angle;
+  return intersection(tensors, curvature_metric(input, curvature));
+}
 
 // The metrics of the input's points go to the vertices. Returns them by vertex.
 std::vector<Sym3> place_metrics(TetMesh& mesh, const std::vector<Sym3>& metrics) {
@@ -33,7 +54,8 @@ std::vector<Sym3> place_metrics(TetMesh& mesh, const std::vector<Sym3>& metrics)
 std::unique_ptr<Target> make_target(const Metric& metric, const AdaptOptions& options, const Background& background,
                                     const std::vector<Sym3>& metrics) {
   const auto* function = std::get_if<MetricFunction>(&metric);
-  if (function == nullptr || options.limits.gradation) return std::make_unique<Target>(background, metrics);
+  if (function == nullptr || options.limits.gradation || options.deviation > 0)
+    return std::make_unique<Target>(background, metrics);
   return std::make_unique<Target>(*function, options.limits);
 }
 
@@ -62,7 +84,7 @@ double require_ids_for(double tetrahedra) {
 
 void set_target(Session& session, const Mesh& input, const Metric& metric, const AdaptOptions& options) {
   const std::vector<Sym3> metrics =
-      place_metrics(session.mesh, apply_limits(input, tensors_at(input, metric), options.limits));
+      place_metrics(session.mesh, apply_limits(input, wanted_at(input, metric, options), options.limits));
   session.background = std::make_unique<const Background>(session.mesh);
   session.target = make_target(metric, options, *session.background, metrics);
 }
@@ -73,7 +95,10 @@ Session set_up(const Mesh& mesh, const Metric& metric, const AdaptOptions& optio
   report.seconds.emplace_back("build", build_watch.seconds());
 
   const Stopwatch geometry_watch;
-  Model model = classify(mesh, built, options.surface, options.ridge_angle);
+  Model model = classify(mesh, built, options.surface, options.ridge_angle,
+                         options.geometry ? options.geometry->shared_surface() : nullptr);
+  require_near_surface(built.mesh, model);
+  if (options.deviation > 0) model.deviation = options.deviation;
   count_mended(built, model, report);
   report.seconds.emplace_back("geometry", geometry_watch.seconds());
 

@@ -1,5 +1,10 @@
 #include "cavity/surface_cavity.hpp"
 
+#include <algorithm>
+#include <limits>
+
+#include "geometry/fit.hpp"
+
 namespace taut {
 
 bool SurfaceCavity::remove(TriangleId t) {
@@ -73,7 +78,21 @@ Outcome SurfaceCavity::rejoin(const TetMesh& mesh, const Model& model, const Ape
   }
   for (int i = 0; i < end_size_; ++i)
     if (ends_[i].open && (!ends_[i].used || ends_[i].v == gone)) return Outcome::geometry;
-  return Outcome::accepted;
+  return model.surface == nullptr || fits(mesh, model, apex) ? Outcome::accepted : Outcome::surface;
+}
+
+// What is not fair must at least be no worse than the worst before.
+bool SurfaceCavity::fits(const TetMesh& mesh, const Model& model, const Apex& apex) const {
+  double worst = 0;
+  for (const Border& b : std::span(border_.data(), static_cast<std::size_t>(border_size_)))
+    worst = std::max(worst, misfit(model, b.patch, {apex.vertex.x, mesh.x(b.a), mesh.x(b.b)}));
+  if (worst <= 1) return true;
+  double old = 0;
+  for (const TriangleId t : removed()) {
+    const auto& [a, b, c] = mesh.triangles[t].v;
+    old = std::max(old, misfit(model, mesh.triangles[t].patch, {mesh.x(a), mesh.x(b), mesh.x(c)}));
+  }
+  return worst <= old && worst < std::numeric_limits<double>::infinity();
 }
 
 }  // namespace taut

@@ -65,6 +65,7 @@ private:
     bool open, used;
   };
 
+  [[nodiscard]] bool fits(const TetMesh& mesh, const Model& model, const Apex& apex) const;
   void add_edge(const Edge& edge);
   void toggle_end(VertexId v, PatchId patch, LineId line);
   [[nodiscard]] LineId line_to(VertexId v, PatchId patch);

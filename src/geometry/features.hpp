@@ -1,4 +1,6 @@
-// The edges at which the surface is parted.
+// The edges at which the surface is parted: ridges, where references meet, and edges of the input. On curved patches an
+// edge of the input counts only if it is marked as a ridge or required: meshers write the seams of periodic surfaces,
+// where nothing is to be seen.
 #pragma once
 
 #include <array>
@@ -6,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/reference.hpp"
 #include "mesh/build.hpp"
 #include "surface/surface_edges.hpp"
 #include "taut/mesh.hpp"
@@ -39,10 +42,17 @@ void for_each_smooth_edge(const std::vector<EdgeUse>& uses_of_edges, std::span<c
   });
 }
 
-/// Feature edges are: edges of the input; edges where other than two triangles meet, or two of different reference, or
-/// two whose normals differ by `ridge_angle` degrees or more; edges between required triangles (`required` is not 0)
-/// and others. Throws InputError for an edge of the input at a point of no tetrahedron.
+/// Where the surface is not smooth between two triangles of one reference.
+struct RidgeTest {
+  double angle = 45;                     ///< degrees: where their normals differ by this or more ..
+  const Reference* reference = nullptr;  ///< .. or, if there is one, where it has a ridge
+};
+
+/// Feature edges are: edges of the input; edges where other than two triangles meet, or two of different reference;
+/// ridges; edges between required triangles (`required` is not 0) and others. Edges of the input that part nothing of a
+/// curved patch, as seams do, are none unless they are marked as ridges or required. Throws InputError for an edge of
+/// the input at a point of no tetrahedron.
 [[nodiscard]] Features find_features(const Mesh& input, const Built& built, const std::vector<EdgeUse>& uses,
-                                     const std::vector<std::uint8_t>& required, double ridge_angle);
+                                     const std::vector<std::uint8_t>& required, const RidgeTest& ridges);
 
 }  // namespace taut

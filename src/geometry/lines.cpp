@@ -15,22 +15,34 @@ bool are_of_one_kind(const Feature& f, const Feature& g) {
   return f.ref == g.ref && f.sharp == g.sharp && f.required == g.required && f.implicit == g.implicit;
 }
 
-// Follows the chain of features from one end of `f` as far as it is one line; they all become part of it. Returns the
-// last vertex.
+// Follows the chain of features from one end of `f` as far as it is one line, or back to f; they all become part of it.
+// Returns the last vertex.
 VertexId follow(const FeatureGraph& graph, FeatureIndex f, VertexId v, LineId line, std::vector<LineId>& line_of) {
+  const FeatureIndex first = f;
   while (graph.is_on_line(v)) {
     f = graph.at(v)[0] == f ? graph.at(v)[1] : graph.at(v)[0];
+    if (f == first) break;
     line_of[f] = line;
     v = graph.other_end(f, v);
   }
   return v;
 }
 
+Straight straight_through(const Vec3& begin, const Vec3& end) {
+  const Vec3 along = end - begin;
+  return {begin, (1 / norm(along)) * along};
+}
+
 }  // namespace
 
 FeatureGraph::FeatureGraph(const TetMesh& mesh, std::span<const Feature> features,
-                           const std::vector<std::uint8_t>& fixed, double tolerance)
-    : mesh_(mesh), features_(features), fixed_(fixed), tolerance_(tolerance), features_at_(mesh.vertices.size()) {
+                           const std::vector<std::uint8_t>& fixed, double tolerance, const Reference* reference)
+    : mesh_(mesh),
+      features_(features),
+      fixed_(fixed),
+      tolerance_(tolerance),
+      reference_(reference),
+      features_at_(mesh.vertices.size()) {
   for (FeatureIndex f = 0; f < features.size(); ++f)
     for (VertexId v : features[f].edge) features_at_[v].push_back(f);
 }
@@ -39,8 +51,14 @@ bool FeatureGraph::is_on_line(VertexId v) const {
   const auto& at = features_at_[v];
   if (fixed_[v] != 0 || at.size() != 2) return false;
   if (!are_of_one_kind(features_[at[0]], features_[at[1]]) || patches_of(at[0]) != patches_of(at[1])) return false;
+  if (bent_along(at[0]) != none || bent_along(at[1]) != none) return bent_along(at[0]) == bent_along(at[1]);
   const Vec3 a = mesh_.x(other_end(at[0], v)) - mesh_.x(v), b = mesh_.x(other_end(at[1], v)) - mesh_.x(v);
   return dot(a, b) < 0 && norm(cross(a, b)) <= tolerance_ * std::max(norm(a), norm(b));
+}
+
+LineId FeatureGraph::bent_along(FeatureIndex f) const {
+  const LineId curve = reference_ != nullptr ? reference_->curve_of(features_[f].edge) : LineId{none};
+  return curve != none && !reference_->is_straight(curve) ? curve : LineId{none};
 }
 
 std::vector<PatchId> FeatureGraph::patches_of(FeatureIndex f) const {
@@ -60,9 +78,12 @@ Lines find_lines(const TetMesh& mesh, const FeatureGraph& graph) {
     found.line_of_feature[first] = line;
     const VertexId begin = follow(graph, first, f.edge[0], line, found.line_of_feature);
     const VertexId end = follow(graph, first, f.edge[1], line, found.line_of_feature);
-    const Vec3 along = mesh.x(end) - mesh.x(begin);
-    found.lines.push_back({f.ref, stays(mesh, f), f.sharp, f.required, f.implicit, mesh.x(begin),
-                           (1 / norm(along)) * along, graph.patches_of(first)});
+    Line made{f.ref, stays(mesh, f), f.sharp, f.required, f.implicit, {}, graph.patches_of(first)};
+    if (const LineId curve = graph.bent_along(first); curve != none)
+      made.shape = Bent{curve};
+    else
+      made.shape = straight_through(mesh.x(begin), mesh.x(end));
+    found.lines.push_back(std::move(made));
   }
   return found;
 }

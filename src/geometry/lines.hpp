@@ -1,4 +1,4 @@
-// Feature edges joined to straight lines.
+// Feature edges joined to smooth lines.
 #pragma once
 
 #include <cstdint>
@@ -15,20 +15,23 @@ class FeatureGraph {
 public:
   using FeatureIndex = std::uint32_t;
 
-  /// Refers to all that it is given. Chains are straight up to `tolerance`.
+  /// Refers to all that it is given. Chains are straight up to `tolerance`, or smooth curves of the reference.
   FeatureGraph(const TetMesh& mesh, std::span<const Feature> features, const std::vector<std::uint8_t>& fixed,
-               double tolerance);
+               double tolerance, const Reference* reference);
 
   [[nodiscard]] std::span<const Feature> features() const { return features_; }
   [[nodiscard]] const std::vector<FeatureIndex>& at(VertexId v) const { return features_at_[v]; }
   [[nodiscard]] bool is_fixed(VertexId v) const { return fixed_[v] != 0; }
 
-  /// Whether the two features at v are one line: they are collinear and of the same kind, and nothing else fixes v.
+  /// Whether the two features at v are one line: they are smooth there and of the same kind, and nothing else fixes v.
   [[nodiscard]] bool is_on_line(VertexId v) const;
 
   [[nodiscard]] VertexId other_end(FeatureIndex f, VertexId v) const {
     return features_[f].edge[0] == v ? features_[f].edge[1] : features_[f].edge[0];
   }
+
+  /// The curve on which a feature lies; `none` if it is straight.
+  [[nodiscard]] LineId bent_along(FeatureIndex f) const;
 
   /// The patches that meet at a feature, ascending, each once.
   [[nodiscard]] std::vector<PatchId> patches_of(FeatureIndex f) const;
@@ -38,6 +41,7 @@ private:
   std::span<const Feature> features_;
   const std::vector<std::uint8_t>& fixed_;
   double tolerance_;
+  const Reference* reference_;
   std::vector<std::vector<FeatureIndex>> features_at_;
 };
 

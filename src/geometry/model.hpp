@@ -3,11 +3,15 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
 #include "base/ids.hpp"
 #include "base/vec3.hpp"
+#include "surface/reference_surface.hpp"
 
 namespace taut {
 
@@ -20,23 +24,40 @@ struct Plane {
   double offset = 0;
 };
 
+/// A patch of the reference surface. Its normals have the sense of the patch's triangles times `sign`.
+struct Curved {
+  PatchId patch;
+  double sign = 1;
+  bool two_sided = false;  ///< an interface, whose triangles may have either sense
+};
+
 /// A connected set of triangles of one reference between feature lines.
 struct Patch {
   int ref = 0;
   bool required = false;
-  std::variant<Frozen, Plane> shape{};
+  std::variant<Frozen, Plane, Curved> shape{};
 
   [[nodiscard]] bool frozen() const { return std::holds_alternative<Frozen>(shape); }
+  [[nodiscard]] const Curved* curved() const { return std::get_if<Curved>(&shape); }
 };
 
-/// A straight chain of feature edges between two corners.
+struct Straight {
+  Vec3 origin{}, direction{};
+};
+
+/// A curve of the reference surface, or a part of one.
+struct Bent {
+  LineId curve;
+};
+
+/// A smooth chain of feature edges between two corners, or a closed one.
 struct Line {
   int ref = 0;
   bool frozen = false;
   bool sharp = false;  ///< written as a ridge
   bool required = false;
   bool implicit = false;  ///< separates required triangles from others: not written
-  Vec3 origin{}, direction{};
+  std::variant<Straight, Bent> shape{};
   std::vector<PatchId> patches;
 };
 
@@ -44,6 +65,7 @@ struct Line {
 struct Corner {
   std::vector<PatchId> patches;
   std::vector<LineId> lines;
+  std::optional<Vec3> place{};  ///< of the corner of a given surface, where the vertex has to go
 };
 
 /// The tetrahedra of one reference. Those of a frozen region are kept, because the input requires them or an edge
@@ -71,6 +93,9 @@ public:
   std::vector<Region> regions;
   std::vector<InnerEdge> inner_edges;
   bool has_frozen_region = false;
+  std::shared_ptr<const ReferenceSurface> surface;             ///< null unless a patch is curved
+  double deviation = std::numeric_limits<double>::infinity();  ///< allowed between triangles and curved patches
+  bool surface_is_given = false;  ///< made from another mesh: vertices may be off it at first
 
   /// A corner of those of its patches and lines that may change.
   CornerId add_corner(Corner corner);
@@ -79,7 +104,8 @@ public:
   [[nodiscard]] bool on_patch(Tag tag, PatchId patch) const;
   /// Whether a vertex with this tag lies on the line or its ends, and the line may change.
   [[nodiscard]] bool on_line(Tag tag, LineId line) const;
-  /// The point of the vertex's patch or line nearest to x; x itself in the volume, at a corner and on what is frozen.
+  /// The point of the vertex's patch or line nearest to x, and the place of its corner if it has to go there; x itself
+  /// in the volume, at any other corner and on what is frozen.
   [[nodiscard]] Vec3 project(Tag tag, const Vec3& x) const;
   /// The unit normal of the vertex's patch at the point nearest to x, in the sense of its triangles. Zero where there
   /// is no one normal: in the volume, on lines, at corners, on what is frozen.

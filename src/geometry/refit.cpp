@@ -50,10 +50,9 @@ std::vector<Line> fitted_lines(const TetMesh& mesh, std::vector<Line> lines, con
   for_each_line_edge(mesh, [&](LineId line, const std::array<VertexId, 2>& edge) { any[line] = mesh.x(edge[0]); });
   const auto begin = farthest_from(any), end = farthest_from(begin);
   for (std::size_t l = 0; l < lines.size(); ++l) {
-    if (touched[l] == 0) continue;
+    if (touched[l] == 0 || !std::holds_alternative<Straight>(lines[l].shape)) continue;
     const Vec3 along = end[l] - begin[l];
-    lines[l].origin = begin[l];
-    lines[l].direction = (1 / norm(along)) * along;
+    lines[l].shape = Straight{begin[l], (1 / norm(along)) * along};
   }
   return lines;
 }
@@ -63,8 +62,9 @@ bool freeze_bent_lines(Model& model, const TetMesh& mesh, const Marks& touched, 
   bool froze = false;
   for_each_line_edge(mesh, [&](LineId id, const std::array<VertexId, 2>& edge) {
     Line& line = model.lines[id];
-    if (touched[id] == 0 || line.frozen) return;
-    for (VertexId v : edge) line.frozen |= norm(cross(mesh.x(v) - line.origin, line.direction)) > tolerance;
+    const auto* straight = std::get_if<Straight>(&line.shape);
+    if (touched[id] == 0 || line.frozen || straight == nullptr) return;
+    for (VertexId v : edge) line.frozen |= norm(cross(mesh.x(v) - straight->origin, straight->direction)) > tolerance;
     froze |= line.frozen;
   });
   return froze;

@@ -85,24 +85,37 @@ bool Background::walk(const Vec3& x, CellId& host, Weights& weights) const {
   return false;
 }
 
-// For a walk that ended at the boundary: finds the cell around it that contains the point, or is nearest to containing
-// it.
+// From x to where the weights, made non-negative, place it in the cell.
+double Background::miss(CellId cell, const Vec3& x, Weights weights) const {
+  double sum = 0;
+  for (double& w : weights) sum += w = std::max(w, 0.0);
+  Vec3 placed{};
+  for (int k = 0; k < 4; ++k) placed = placed + (weights[k] / sum) * points_[cells_[cell].v[k]];
+  return norm(placed - x);
+}
+
+// For a walk that ended at the boundary: finds the cell around it that contains the point, or the one that places it
+// nearest. Cells cannot be compared by their weights: the larger a cell is, the less of it a distance is.
 void Background::search_around(const Vec3& x, CellId& host, Weights& weights) const {
   const auto lowest = [](const Weights& w) { return *std::min_element(w.begin(), w.end()); };
-  double best = lowest(weights);
-  if (best > on_boundary) return;
+  if (lowest(weights) > on_boundary) return;
+  double best = miss(host, x, weights);
+  bool found = false;
   std::vector<CellId> queue{host};
   Visited visited;
   visited.add(host);
-  for (std::size_t i = 0; i < queue.size() && queue.size() < most_cells && best < least_inside; ++i) {
+  for (std::size_t i = 0; i < queue.size() && queue.size() < most_cells && !found; ++i) {
     for (const CellId next : cells_[queue[i]].beyond) {
       if (next == none || !visited.add(next)) continue;
       queue.push_back(next);
       const Weights w = barycentric(next, x);
-      if (lowest(w) <= best) continue;
-      best = lowest(w);
+      const double missed_by = miss(next, x, w);
+      found = lowest(w) >= least_inside;
+      if (missed_by >= best && !found) continue;
+      best = missed_by;
       host = next;
       weights = w;
+      if (found) break;
     }
   }
 }

@@ -34,8 +34,8 @@ public:
   [[nodiscard]] std::span<const Vec3> points() const { return points_; }
 
   /// Walks from `host` to the cell that x lies in, which becomes `host`, and returns where in it x lies. A point
-  /// outside the domain, as rounding on an oblique face gives, is taken to the nearest place of the cell where the
-  /// search ends.
+  /// outside the domain, as rounding on an oblique face or a curved surface gives, is taken to a place nearby on the
+  /// boundary of a cell: the best of several hundred around the end of the walk.
   [[nodiscard]] Weights locate(const Vec3& x, CellId& host) const;
 
   /// Walks from `host` towards x. True if x lies in the cell where the walk ends, up to rounding: no weight is below
@@ -51,6 +51,7 @@ private:
     std::array<CellId, 4> beyond;  ///< cell behind each face; `none` at the boundary
   };
 
+  [[nodiscard]] double miss(CellId cell, const Vec3& x, Weights weights) const;
   void search_around(const Vec3& x, CellId& host, Weights& weights) const;
 
   std::vector<Vec3> points_;

@@ -16,7 +16,9 @@ namespace {
 
 Session session_for(const Mesh& mesh, const Metric& metric, const AdaptOptions& options) {
   Report report;
-  Session session = set_up(mesh, metric, options, report);
+  AdaptOptions kept = options;
+  if (kept.surface == Surface::adapt) kept.surface = Surface::planar;  // curved ones would not move with their body
+  Session session = set_up(mesh, metric, kept, report);
   if (options.max_rounds > 0)
     run_rounds(session, {.most = options.max_rounds, .block_size = options.block_size}, options.progress, report);
   return session;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "geometry/fit.hpp"
 #include "mesh/orientation.hpp"
 #include "metric/quality.hpp"
 
@@ -32,6 +34,7 @@ Outcome VertexMove::gather() {
     if (fresh != none && k_.neighbours.add(mesh_, fresh) < 0) return Outcome::too_large;
     k_.batch.push(mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]);
   }
+  if (k_.model.surface != nullptr && !tag_.is_in_volume()) gather_facets();
   lengths_ = k_.neighbours.lengths(old_);
   for (double l : lengths_) {
     not_unit_ |= !is_unit(l);
@@ -40,16 +43,56 @@ Outcome VertexMove::gather() {
   return Outcome::accepted;
 }
 
+void VertexMove::gather_facets() {
+  for (const TetId t : k_.cavity.tets.span())
+    for (int f = 0; f < 4; ++f) {
+      const FaceLink link = mesh_.tets[t].n[f];
+      if (!link.is_triangle() || mesh_.tets[t].v[f] == v_) continue;
+      const Triangle& triangle = mesh_.triangles[link.triangle()];
+      const bool seen = triangle.side[0] != FaceLink::to_face(t, f);  // from its other side
+      if (seen || k_.model.patches[triangle.patch].curved() == nullptr) continue;
+      const auto at = std::ranges::find(triangle.v, v_) - triangle.v.begin();
+      facets_.push_back({triangle.patch, triangle.v[(at + 1) % 3], triangle.v[(at + 2) % 3]});
+    }
+}
+
+double VertexMove::worst_misfit(const Vec3& x) const {
+  double worst = 0;
+  for (const auto& [patch, b, c] : facets_)
+    worst = std::max(worst, misfit(k_.model, patch, {x, mesh_.x(b), mesh_.x(c)}));
+  return worst;
+}
+
+bool VertexMove::facets_fit() {
+  const double worst = worst_misfit(moved_.x);
+  if (worst <= 1) return true;
+  if (old_misfit_ < 0) old_misfit_ = worst_misfit(old_.x);
+  return worst <= old_misfit_ && worst < std::numeric_limits<double>::infinity();
+}
+
 // A place beyond the ball may lie outside the domain: finding that out from the target takes as long as a hundred
 // moves.
 Outcome VertexMove::propose(const Vec3& step) {
   measured_ = false;
   moved_.x = k_.model.project(tag_, old_.x + step);
   if (!k_.batch.all_see(moved_.x)) return Outcome::inverted;
+  if (!facets_.empty() && !facets_fit()) return Outcome::surface;
+  evaluate();
+  return Outcome::accepted;
+}
+
+Outcome VertexMove::propose_at(const Vec3& place) {
+  measured_ = false;
+  moved_.x = place;
+  if (!k_.batch.all_see(moved_.x)) return Outcome::inverted;
+  evaluate();
+  return Outcome::accepted;
+}
+
+void VertexMove::evaluate() {
   host_ = mesh_.host_of_vertex[v_];
   moved_.m = k_.target.at(moved_.x, host_);
   k_.batch.evaluate(moved_);
-  return Outcome::accepted;
 }
 
 std::span<const double> VertexMove::new_lengths() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "operators/kernel.hpp"
 
@@ -29,6 +30,9 @@ public:
   /// otherwise the kernel's batch holds the ball's qualities there afterwards.
   [[nodiscard]] Outcome propose(const Vec3& step);
 
+  /// The same at any place, which may be off the patch or line, however well the triangles fit there.
+  [[nodiscard]] Outcome propose_at(const Vec3& place);
+
   /// The lengths of the edges from the place proposed; valid until the next propose().
   [[nodiscard]] std::span<const double> new_lengths();
 
@@ -36,6 +40,15 @@ public:
   [[nodiscard]] Outcome commit(const MoveRules& rules);
 
 private:
+  /// A triangle of the ball on a curved patch: the two vertices that follow v.
+  struct Facet {
+    PatchId patch;
+    VertexId b, c;
+  };
+  void gather_facets();
+  [[nodiscard]] double worst_misfit(const Vec3& x) const;
+  [[nodiscard]] bool facets_fit();
+  void evaluate();
   [[nodiscard]] bool all_positive() const;
   void write(const MoveRules& rules);
   void note_lengths();
@@ -51,6 +64,8 @@ private:
   bool measured_ = false;            // whether it is
   double old_quality_ = 1, old_phi_ = 0;
   bool not_unit_ = false;
+  std::vector<Facet> facets_;  // empty unless v is on a curved patch
+  double old_misfit_ = -1;     // negative if it is not known
 };
 
 }  // namespace taut

@@ -4,6 +4,7 @@
 
 #include "adapt/result.hpp"
 #include "adapt/setup.hpp"
+#include "geometry/off_surface.hpp"
 #include "mesh/order.hpp"
 #include "placing/placing.hpp"
 #include "sizing/nodal.hpp"
@@ -24,6 +25,7 @@ AdaptOptions adapt_options(const PlaceOptions& options) {
   AdaptOptions result;
   result.surface = options.surface;
   result.ridge_angle = options.ridge_angle;
+  result.geometry = options.geometry;
   return result;
 }
 
@@ -34,6 +36,7 @@ Placed place(const Mesh& mesh, const Metric& metric, const PlaceOptions& options
   const LevelFunction function = make_function(session);
   Placing placing(session, function, options);
   placing.run();
+  result.adapted.report.off_surface = vertices_off_surface(session.mesh, session.model).size();
   result.moved = placing.moved();
   result.inserted = placing.inserted();
   result.crossed = placing.crossed();
@@ -46,6 +49,7 @@ Placed place(const Mesh& mesh, const Metric& metric, const PlaceOptions& options
 void require(const PlaceOptions& o) {
   if (!(o.Q_max > 1)) throw InputError(fmt::format("Q_max {} found, expected a number above 1", o.Q_max));
   if (!(o.deviation >= 0)) throw InputError(fmt::format("deviation {} found, expected 0 or more", o.deviation));
+  require_options(adapt_options(o));
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ Sym3 metric_of_curvatures(const Spectrum& s, const CurvatureOptions& o) {
 std::vector<EdgePair> smooth_edges(const Mesh& mesh, const Built& built, const Facets& facets, double ridge_angle) {
   const auto uses = edge_uses(facets.triangles);
   const std::vector<std::uint8_t> none_required(facets.triangles.size(), 0);
-  std::vector<Feature> features = find_features(mesh, built, uses, none_required, ridge_angle).surface;
+  std::vector<Feature> features = find_features(mesh, built, uses, none_required, {.angle = ridge_angle}).surface;
   std::erase_if(features, [](const Feature& f) { return !f.sharp; });
   std::vector<EdgePair> edges;
   for_each_smooth_edge(uses, features, [&](const EdgeUse& s, const EdgeUse& t) { edges.push_back({s, t}); });

@@ -47,11 +47,11 @@ void add_triangles_of_volume(const Mesh& mesh, SurfaceInput& input) {
     if (is_given[t] == 0) input.facets.triangles.push_back(seen_outside(built.mesh, t));
 }
 
-std::vector<GivenEdge> given_edges_of(const Mesh& mesh) {
+std::vector<GivenEdge> given_edges_of(const Mesh& mesh, std::span<const VertexId> vertex_of_point) {
   std::vector<GivenEdge> edges;
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
-    const auto [a, b] = std::minmax(mesh.edges[e][0], mesh.edges[e][1]);
-    edges.push_back({{VertexId{a}, VertexId{b}}, mesh.edge_refs.empty() ? 0 : mesh.edge_refs[e]});
+    const auto [a, b] = std::minmax({vertex_of_point[mesh.edges[e][0]], vertex_of_point[mesh.edges[e][1]]});
+    edges.push_back({{a, b}, mesh.edge_refs.empty() ? 0 : mesh.edge_refs[e]});
   }
   for (const auto* marks : {&mesh.ridges, &mesh.required_edges})
     for (const Index e : *marks) edges[e].sharp = true;
@@ -72,15 +72,20 @@ SurfaceInput surface_of(const Mesh& mesh) {
     throw InputError("the mesh has neither tetrahedra nor triangles, expected a surface");
   require_sound_entities(mesh);
   require_extent(mesh);
-  SurfaceInput input;
-  input.facets = {mesh.points, given_triangles(mesh)};
-  input.refs = mesh.triangle_refs;
-  input.edges = given_edges_of(mesh);
-  input.is_corner.assign(mesh.points.size(), 0);
-  for (const auto* marks : {&mesh.corners, &mesh.required_points})
-    for (const Index p : *marks) input.is_corner[p] = 1;
+  std::vector<VertexId> same(mesh.points.size());
+  for (const VertexId v : ids<VertexId>(same.size())) same[v] = v;
+  SurfaceInput input = with_marks({{mesh.points, given_triangles(mesh)}, mesh.triangle_refs, {}, {}}, mesh, same);
   if (!mesh.tetrahedra.empty()) add_triangles_of_volume(mesh, input);
   input.refs.resize(input.facets.triangles.size(), 0);
+  return input;
+}
+
+SurfaceInput with_marks(SurfaceInput input, const Mesh& mesh, std::span<const VertexId> vertex_of_point) {
+  input.edges = given_edges_of(mesh, vertex_of_point);
+  input.is_corner.assign(input.facets.points.size(), 0);
+  for (const auto* marks : {&mesh.corners, &mesh.required_points})
+    for (const Index p : *marks)
+      if (vertex_of_point[p] != none) input.is_corner[vertex_of_point[p]] = 1;
   return input;
 }
 

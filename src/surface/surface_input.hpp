@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "surface/facets.hpp"
@@ -22,5 +23,8 @@ struct SurfaceInput {
 /// as it is. Vertices are the points of the mesh. Throws InputError for a mesh that cannot be used, and for a
 /// triangle of an edge without length.
 [[nodiscard]] SurfaceInput surface_of(const Mesh& mesh);
+
+/// Adds the edges and corners that are given in `mesh`, whose points may have other numbers here.
+[[nodiscard]] SurfaceInput with_marks(SurfaceInput input, const Mesh& mesh, std::span<const VertexId> vertex_of_point);
 
 }  // namespace taut

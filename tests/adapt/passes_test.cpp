@@ -35,7 +35,7 @@ TEST(RepairPass, DoesNotComeBackToWhatItCannotRepair) {
     whole.borrow(bench.mesh, {.tets = 50, .triangles = 50});
     bench.kernel.block = &whole;
     Tally tally("repair");
-    repair_pass(bench.kernel, {}, tally);
+    repair_pass(bench.kernel, {.may_insert = false}, tally);
     whole.give_back(bench.mesh);
     return tally.report();
   };

@@ -22,7 +22,7 @@ struct Classified {
   Built built;
   Model model;
 
-  explicit Classified(const Mesh& mesh, Surface surface = Surface::adapt, double ridge_angle = 45)
+  explicit Classified(const Mesh& mesh, Surface surface = Surface::planar, std::optional<double> ridge_angle = 45)
       : built(build(mesh)), model(classify(mesh, built, surface, ridge_angle)) {}
 
   /// The first corner represents all corners within frozen patches.

@@ -19,7 +19,7 @@ TEST(Classify, ACubeHasSixPatchesTwelveLinesAndEightCorners) {
     for (const Line& line : c.model.lines) {
       EXPECT_EQ(line.patches.size(), 2);
       EXPECT_TRUE(line.sharp && !line.frozen && !line.required && !line.implicit);
-      EXPECT_NEAR(norm(line.direction), 1, 1e-15);
+      EXPECT_NEAR(norm(std::get<Straight>(line.shape).direction), 1, 1e-15);
     }
     for (std::size_t i = 1; i < c.model.corners.size(); ++i) {
       EXPECT_EQ(c.model.corners[i].patches.size(), 3);
@@ -139,7 +139,7 @@ Mesh roof() {
 
 TEST(Classify, TheAngleDecidesWhatIsARidge) {
   const double angle = 2 * std::atan(0.3) * 180 / 3.14159265358979;
-  const Classified sharp(roof(), Surface::adapt, angle - 0.5), smooth(roof(), Surface::adapt, angle + 0.5);
+  const Classified sharp(roof(), Surface::planar, angle - 0.5), smooth(roof(), Surface::planar, angle + 0.5);
   EXPECT_EQ(sharp.count(), (test::Count{7, 15, 10}));
   EXPECT_EQ(sharp.frozen_patches(), 0);
   EXPECT_EQ(smooth.count().patches, 6);

@@ -60,10 +60,29 @@ TEST(Repair, SwapsEdgesWhereNoVertexMayMove) {
   const std::vector<Vertex> before = bench.mesh.vertices;
   const auto vertices = test::living_vertices(bench.mesh);
   for (const TetId t : ids<TetId>(bench.mesh.tets.size()))
-    if (bench.mesh.tets[t].alive()) (void)trial([&] { return repair(bench.kernel, t, {}); });
+    if (bench.mesh.tets[t].alive()) (void)trial([&] { return repair(bench.kernel, t, {.may_insert = false}); });
   EXPECT_GT(trial.count[Outcome::accepted], 10);
   EXPECT_EQ(test::living_vertices(bench.mesh), vertices);
   for (const VertexId v : vertices) EXPECT_EQ(bench.mesh.x(v), before[v].x);
+}
+
+/// Between the triangles of a surface that stays there are slivers which have no vertex to lift.
+TEST(Repair, GivesSliversOfASurfaceAVertexInside) {
+  const auto repaired = [](bool may_insert) {
+    Mesh input = test::cube(4);
+    test::jitter(input, 0.06, 1);
+    Workbench bench(input, test::random_field(input, 0.6, 2), Surface::fixed);
+    Attempts trial(bench);
+    const std::size_t before = test::living_vertices(bench.mesh).size();
+    for (const TetId t : ids<TetId>(bench.mesh.tets.size()))
+      if (bench.mesh.tets[t].alive() && bench.mesh.tets[t].state.quality < 0.4F)
+        (void)trial([&] { return repair(bench.kernel, t, {.may_collapse = false, .may_insert = may_insert}); });
+    return std::pair{test::living_vertices(bench.mesh).size() - before, trial.count[Outcome::accepted]};
+  };
+  const auto with = repaired(true), without = repaired(false);
+  EXPECT_GT(with.first, 3);
+  EXPECT_EQ(without.first, 0);
+  EXPECT_GT(with.second, without.second);
 }
 
 }  // namespace

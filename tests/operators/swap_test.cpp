@@ -95,7 +95,7 @@ std::map<Outcome, int> swap_rings(int n, bool closed, Surface surface) {
 
 TEST(SwapEdge, OfClosedRingsTakesTheBestFanWhereItIsBetter) {
   for (int n = RingTable::smallest; n <= RingTable::largest; ++n) {
-    for (const Surface surface : {Surface::adapt, Surface::fixed}) {
+    for (const Surface surface : {Surface::planar, Surface::fixed}) {
       auto count = swap_rings(n, true, surface);
       EXPECT_GT(count[Outcome::accepted], 5) << n;
       EXPECT_GT(count[Outcome::no_candidate], 5) << n;
@@ -106,7 +106,7 @@ TEST(SwapEdge, OfClosedRingsTakesTheBestFanWhereItIsBetter) {
 
 TEST(SwapEdge, OfTheSurfaceSwapsItsTwoTrianglesToo) {
   for (int n = RingTable::smallest; n <= RingTable::largest; ++n) {
-    auto count = swap_rings(n, false, Surface::adapt);
+    auto count = swap_rings(n, false, Surface::planar);
     EXPECT_GT(count[Outcome::accepted], 5) << n;
     EXPECT_GT(count[Outcome::no_candidate], 5) << n;
     EXPECT_EQ(count[Outcome::accepted] + count[Outcome::no_candidate], 60) << n;

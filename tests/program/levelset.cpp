@@ -237,7 +237,7 @@ TEST_F(Levelset, PlaceUsage) {
   refused("--deviation", "0", "a number above 0");
   refused("--q-max", "1", "a number above 1");
   refused("--q-max", "inf", "a number above 1");
-  refused("--surface", "move", "adapt or fixed");
+  refused("--surface", "move", "adapt, planar or fixed");
   refused("--angle", "180", "degrees between 0 and 180");
   expect_error({"levelset", "place", "cube.mesh", "u.sol", "-o", "p.mesh", "--level", "nan"}, 2,
                {"--level", "nan found, expected a number"});

@@ -19,7 +19,7 @@ Split split(const Mesh& mesh) {
   const auto triangles = corners_of(built.mesh.triangles);
   const auto uses = edge_uses(triangles);
   const std::vector<std::uint8_t> required(built.mesh.triangles.size(), 0);
-  std::vector<Feature> features = find_features(mesh, built, uses, required, 45).surface;
+  std::vector<Feature> features = find_features(mesh, built, uses, required, {.angle = 45}).surface;
   std::erase_if(features, [](const Feature& f) { return !f.sharp; });
   std::vector<EdgePair> smooth;
   for_each_smooth_edge(uses, features, [&](const EdgeUse& s, const EdgeUse& t) { smooth.push_back({s, t}); });
