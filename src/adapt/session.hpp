@@ -30,6 +30,9 @@ struct Session {
   /// valid.
   void refresh(std::span<const VertexId> moved);
 
+  /// The same where the target has changed for more vertices than have moved.
+  void refresh(std::span<const VertexId> moved, std::span<const VertexId> in_another_target);
+
   /// The same where only metrics have changed.
   void refresh_metrics(std::span<const VertexId> changed);
 };

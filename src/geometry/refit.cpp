@@ -57,14 +57,17 @@ std::vector<Line> fitted_lines(const TetMesh& mesh, std::vector<Line> lines, con
   return lines;
 }
 
-// Whether one is found that is not straight.
+// Whether one is found that is not straight any more, or that has left its curve.
 bool freeze_bent_lines(Model& model, const TetMesh& mesh, const Marks& touched, double tolerance) {
   bool froze = false;
   for_each_line_edge(mesh, [&](LineId id, const std::array<VertexId, 2>& edge) {
     Line& line = model.lines[id];
     const auto* straight = std::get_if<Straight>(&line.shape);
-    if (touched[id] == 0 || line.frozen || straight == nullptr) return;
-    for (VertexId v : edge) line.frozen |= norm(cross(mesh.x(v) - straight->origin, straight->direction)) > tolerance;
+    if (touched[id] == 0 || line.frozen) return;
+    line.frozen = straight == nullptr;
+    for (VertexId v : edge)
+      if (straight != nullptr)
+        line.frozen |= norm(cross(mesh.x(v) - straight->origin, straight->direction)) > tolerance;
     froze |= line.frozen;
   });
   return froze;

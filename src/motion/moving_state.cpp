@@ -16,9 +16,7 @@ namespace {
 
 Session session_for(const Mesh& mesh, const Metric& metric, const AdaptOptions& options) {
   Report report;
-  AdaptOptions kept = options;
-  if (kept.surface == Surface::adapt) kept.surface = Surface::planar;  // curved ones would not move with their body
-  Session session = set_up(mesh, metric, kept, report);
+  Session session = set_up(mesh, metric, options, report);
   if (options.max_rounds > 0)
     run_rounds(session, {.most = options.max_rounds, .block_size = options.block_size}, options.progress, report);
   return session;
@@ -101,7 +99,7 @@ bool MovingState::do_part(const Goal& goal, std::span<const int> bodies, Advance
   }
   const bool metric_moved = move_metric(goal, bodies, reach.share);
   const auto moved = move_to(reach.places);
-  refresh(metric_moved ? all_vertices(session_.mesh) : moved);
+  refresh(moved, metric_moved ? all_vertices(session_.mesh) : moved);
   add_seconds(done, "move", move_watch.seconds());
   done.share += reach.share;
   // Points that the caller moves keep their numbers until they have arrived.
@@ -136,9 +134,9 @@ bool MovingState::move_metric(const Goal& goal, std::span<const int> bodies, dou
   return true;
 }
 
-void MovingState::refresh(std::span<const VertexId> moved) {
-  session_.refresh(moved);
-  take_metrics(moved);
+void MovingState::refresh(std::span<const VertexId> moved, std::span<const VertexId> in_another_target) {
+  session_.refresh(moved, in_another_target);
+  take_metrics(in_another_target);
 }
 
 void MovingState::take_metrics(std::span<const VertexId> changed) {

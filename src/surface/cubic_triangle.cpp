@@ -58,10 +58,10 @@ SurfacePoint evaluate(const CubicTriangle& t, const std::array<double, 3>& w) {
 }
 
 double deviation_bound(const CubicTriangle& t) {
-  using Weights = std::array<double, 3>;
-  constexpr Weights a = {1, 0, 0}, b = {0, 1, 0}, c = {0, 0, 1}, ab = {0.5, 0.5, 0}, bc = {0, 0.5, 0.5},
-                    ca = {0.5, 0, 0.5};
-  constexpr std::array<std::array<Weights, 3>, 4> quarters = {{{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {bc, ca, ab}}};
+  using Shares = std::array<double, 3>;
+  constexpr Shares a = {1, 0, 0}, b = {0, 1, 0}, c = {0, 0, 1}, ab = {0.5, 0.5, 0}, bc = {0, 0.5, 0.5},
+                   ca = {0.5, 0, 0.5};
+  constexpr std::array<std::array<Shares, 3>, 4> quarters = {{{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {bc, ca, ab}}};
   double farthest = 0;
   for (const auto& corner : quarters)
     for (std::size_t i = 0; i < 3; ++i)
