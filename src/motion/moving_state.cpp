@@ -114,7 +114,7 @@ std::vector<VertexId> MovingState::move_to(const std::vector<Vec3>& places) {
   displacements_ = displacements();
   displaced_.reset();
   TetMesh& work = session_.mesh;
-  const auto moved = vertices_where(work, [&](VertexId v) { return places[v] != work.x(v); });
+  auto moved = vertices_where(work, [&](VertexId v) { return places[v] != work.x(v); });
   for_each_index(moved.size(), [&](std::size_t i) {
     Vec3& x = work.vertices[moved[i]].x;
     const std::uint32_t point = work.origin_of_vertex[moved[i]];
