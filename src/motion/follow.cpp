@@ -103,7 +103,8 @@ template <class Value>
 std::vector<Value> Follower::solved(const VertexSystem<Value>& system,
                                     const std::vector<Constraint<Value>>& constraints,
                                     const std::vector<Value>& start) {
-  Solution<Value> solution = system.solve(constraints, start, {.stop = {.residual = options_.tolerance}});
+  Solution<Value> solution = system.solve(
+      constraints, start, {.stop = {.residual = options_.tolerance}, .preconditioner = Preconditioner::block_jacobi});
   iterations_ += solution.convergence.iterations;
   if (!solution.converged)
     throw Failure(fmt::format("motion: the solver stopped after {} iterations at the residual {:.2g}, expected {:.2g}",
