@@ -9,10 +9,6 @@
 namespace taut::program {
 namespace {
 
-Json null_if_none(const std::optional<double>& number) {
-  return number ? Json(*number) : Json();
-}
-
 Json histogram(std::span<const double> bounds, std::span<const std::size_t> counts) {
   Json bins = Json::array();
   for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -41,6 +37,10 @@ void add_lengths(Json& json, const Quality& q) {
 }
 
 }  // namespace
+
+Json null_if_none(const std::optional<double>& number) {
+  return number ? Json(*number) : Json();
+}
 
 Json null_if_empty(const std::string& text) {
   return text.empty() ? Json() : Json(text);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,8 @@ using Phases = std::vector<std::pair<std::string, double>>;  ///< elapsed second
 
 /// The name of a file, or null if there is none.
 [[nodiscard]] Json null_if_empty(const std::string& text);
+/// The number, or null if there is none.
+[[nodiscard]] Json null_if_none(const std::optional<double>& number);
 
 [[nodiscard]] Json json_of_phases(const Phases& phases);
 

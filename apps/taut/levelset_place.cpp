@@ -105,7 +105,7 @@ Json place_json(const PlaceJob& job, const Placed& placed) {
   json["options"] = {{"deviation", o.deviation > 0 ? Json(o.deviation) : Json()},
                      {"q_max", o.Q_max},
                      {"surface", word_of(o.surface)},
-                     {"angle", o.ridge_angle ? Json(*o.ridge_angle) : Json()}};
+                     {"angle", null_if_none(o.ridge_angle)}};
   json.update({{"moved", placed.moved}, {"inserted", placed.inserted}, {"crossed", placed.crossed}});
   json["on_surface"] = std::ranges::count(placed.values, 0.0);
   json["quality"] = json_of(placed.adapted.report.quality, true);

@@ -68,9 +68,9 @@ Json options_of(const MoveJob& job) {
           {"hmin", bounds.hmin},
           {"hmax", bounds.hmax},
           {"anisotropy", bounds.anisotropy},
-          {"gradation", job.limits.beta ? Json(*job.limits.beta) : Json()},
+          {"gradation", null_if_none(job.limits.beta)},
           {"gradation_mix", job.limits.mix},
-          {"angle", o.adaptation.ridge_angle ? Json(*o.adaptation.ridge_angle) : Json()},
+          {"angle", null_if_none(o.adaptation.ridge_angle)},
           {"threads", job.threads}};
 }
 

@@ -65,13 +65,21 @@ Metric metric_of_size(double size) {
   return [m](const Point&) { return Tensor{m, 0, 0, m, 0, m}; };
 }
 
+namespace {
+
+auto is_ridge_angle() {
+  return number([](double x) { return x > 0 && x < 180; }, "degrees between 0 and 180");
+}
+
+}  // namespace
+
 void add_ridge_angle(CLI::App& command, double& degrees) {
   command
       .add_option("--angle", degrees,
                   "an edge is a ridge if the normals of its triangles differ by this or more, in degrees")
       ->type_name("DEG")
       ->capture_default_str()
-      ->check(number([](double x) { return x > 0 && x < 180; }, "degrees between 0 and 180"));
+      ->check(is_ridge_angle());
 }
 
 void add_ridge_angle(CLI::App& command, std::optional<double>& degrees) {
@@ -81,7 +89,7 @@ void add_ridge_angle(CLI::App& command, std::optional<double>& degrees) {
                                         "an edge is a ridge if the normals of its triangles differ by this or more, in "
                                         "degrees, instead of by the shape of the surface on its two sides")
       ->type_name("DEG")
-      ->check(number([](double x) { return x > 0 && x < 180; }, "degrees between 0 and 180"));
+      ->check(is_ridge_angle());
 }
 
 const char* word_of(Recovery recovery) {

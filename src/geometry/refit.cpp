@@ -64,10 +64,9 @@ bool freeze_bent_lines(Model& model, const TetMesh& mesh, const Marks& touched, 
     Line& line = model.lines[id];
     const auto* straight = std::get_if<Straight>(&line.shape);
     if (touched[id] == 0 || line.frozen) return;
-    line.frozen = straight == nullptr;
-    for (VertexId v : edge)
-      if (straight != nullptr)
-        line.frozen |= norm(cross(mesh.x(v) - straight->origin, straight->direction)) > tolerance;
+    line.frozen = straight == nullptr || std::ranges::any_of(edge, [&](VertexId v) {
+                    return norm(cross(mesh.x(v) - straight->origin, straight->direction)) > tolerance;
+                  });
     froze |= line.frozen;
   });
   return froze;

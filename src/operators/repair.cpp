@@ -35,29 +35,22 @@ Outcome split_away(Kernel& kernel, TetId t, int edge, const RepairRules& rules) 
 Outcome repair(Kernel& kernel, TetId t, const RepairRules& rules) {
   const CollapseRules collapse{
       .longest_new_edge = rules.longest_new_edge, .worst_quality = 1, .share_of_old = rules.gain};
+  const SwapRules swap{.gain = rules.gain, .longest_new_edge = rules.longest_new_edge};
   bool put_off = false;
   Outcome outcome = Outcome::no_candidate;
-  for (VertexId v : kernel.mesh.tets[t].v) {
-    outcome = lift(kernel, v, rules.gain);
-    if (outcome == Outcome::accepted) return outcome;
-    put_off |= outcome == Outcome::put_off;
-  }
-  for (int e = 0; rules.may_collapse && e < 6; ++e) {
-    outcome = collapse_edge(kernel, t, e, collapse);
-    if (outcome == Outcome::accepted) return outcome;
-    put_off |= outcome == Outcome::put_off;
-  }
-  const SwapRules swap{.gain = rules.gain, .longest_new_edge = rules.longest_new_edge};
-  for (int e = 0; e < 6; ++e) {
-    outcome = swap_edge(kernel, t, e, swap);
-    if (outcome == Outcome::accepted) return outcome;
-    put_off |= outcome == Outcome::put_off;
-  }
-  for (int e = 0; rules.may_insert && e < 6; ++e) {
-    outcome = split_away(kernel, t, e, rules);
-    if (outcome == Outcome::accepted) return outcome;
-    put_off |= outcome == Outcome::put_off;
-  }
+  const auto succeeds = [&](Outcome found) {
+    outcome = found;
+    put_off |= found == Outcome::put_off;
+    return found == Outcome::accepted;
+  };
+  for (VertexId v : kernel.mesh.tets[t].v)
+    if (succeeds(lift(kernel, v, rules.gain))) return outcome;
+  for (int e = 0; rules.may_collapse && e < 6; ++e)
+    if (succeeds(collapse_edge(kernel, t, e, collapse))) return outcome;
+  for (int e = 0; e < 6; ++e)
+    if (succeeds(swap_edge(kernel, t, e, swap))) return outcome;
+  for (int e = 0; rules.may_insert && e < 6; ++e)
+    if (succeeds(split_away(kernel, t, e, rules))) return outcome;
   if (put_off) return Outcome::put_off;
   kernel.mesh.tets[t].state.tried.set(Trial::repair, 0);
   return outcome;
