@@ -14,6 +14,7 @@ enum VertexId : std::uint32_t {};
 enum TetId : std::uint32_t {};
 enum TriangleId : std::uint32_t {};
 enum CellId : std::uint32_t {};  ///< of a tetrahedron of the background mesh
+enum SeatId : std::uint32_t {};  ///< of a triangle of the reference surface, or a segment of one of its curves
 enum PatchId : std::uint32_t {};
 enum LineId : std::uint32_t {};
 enum CornerId : std::uint32_t {};

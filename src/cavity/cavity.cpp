@@ -89,9 +89,9 @@ double Cavity::worst_old_quality(const TetMesh& mesh) const {
   return worst;
 }
 
-Cavity::Permit Cavity::validate(const TetMesh& mesh, const Block& block) {
+Cavity::Permit Cavity::validate(const TetMesh& mesh, const Block& block, Enclosed enclosed) {
   if (!all_positive()) return Permit(Outcome::inverted);
-  if (loses_vertex(mesh) || !match(mesh)) return Permit(Outcome::topology);
+  if (!find_lost(mesh, enclosed) || !match(mesh)) return Permit(Outcome::topology);
   if (has_ids(block)) return Permit(Outcome::accepted);
   clear_matching();
   return Permit(Outcome::put_off);
@@ -105,11 +105,19 @@ bool Cavity::has_ids(const Block& block) const {
          enough(block.triangles, surface_.border_size(), static_cast<int>(surface_.removed().size()));
 }
 
-bool Cavity::loses_vertex(const TetMesh& mesh) const {
+// False if one of them must stay.
+bool Cavity::find_lost(const TetMesh& mesh, Enclosed enclosed) {
+  lost_count_ = 0;
   for (TetId t : tets.span())
-    for (VertexId v : mesh.tets[t].v)
-      if (v != apex_.id && v != gone_ && !vertices_.contains(v)) return true;
-  return false;
+    for (VertexId v : mesh.tets[t].v) {
+      if (v == apex_.id || vertices_.contains(v)) continue;
+      const auto known = lost_.begin() + lost_count_;
+      if (std::find(lost_.begin(), known, v) != known) continue;
+      const bool may_go = v == gone_ || (enclosed == Enclosed::go && mesh.tag_of_vertex[v].is_in_volume());
+      if (!may_go || lost_count_ == most_lost) return false;
+      lost_[lost_count_++] = v;
+    }
+  return true;
 }
 
 bool Cavity::match(const TetMesh& mesh) {

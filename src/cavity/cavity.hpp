@@ -14,6 +14,9 @@
 
 namespace taut {
 
+/// What becomes of vertices in the volume all of whose tetrahedra are in a cavity.
+enum class Enclosed { stay, go };
+
 /// A worker's scratch. Use: fill `tets`, then rejoin(); or propose() until the proposal is star-shaped, then
 /// conclude().
 class Cavity {
@@ -33,17 +36,19 @@ public:
   /// of the apex go. Refused for geometry, or for lack of room.
   [[nodiscard]] Outcome propose(const TetMesh& mesh, const Model& model, const Apex& apex, VertexId gone = none);
 
-  /// All that follows a proposal.
+  /// All that follows a proposal. Vertices in the volume that the cavity encloses may go only if the caller says so.
   template <class Judge>
-  Outcome conclude(TetMesh& mesh, Block& block, Judge judge) {
+  Outcome conclude(TetMesh& mesh, Block& block, Judge judge, Enclosed enclosed = Enclosed::stay) {
     if (const Outcome outcome = judge(); outcome != Outcome::accepted) return outcome;
-    const Permit permit = validate(mesh, block);
+    const Permit permit = validate(mesh, block, enclosed);
     if (permit.outcome() == Outcome::accepted) commit(mesh, block, permit);
     return permit.outcome();
   }
 
   /// The tetrahedron that owns face i of the batch, as an index into `tets`.
   [[nodiscard]] int owner(int i) const { return faces_[i].owner; }
+  /// Its number there.
+  [[nodiscard]] int face(int i) const { return faces_[i].face; }
 
   /// Whether face i of the batch sees the apex: its new tetrahedron is exactly positive.
   [[nodiscard]] bool sees(int i) const;
@@ -68,6 +73,8 @@ private:
     Outcome outcome_;
   };
 
+  static constexpr int most_lost = 8;
+
   struct HullFace {
     std::array<VertexId, 3> v;
     std::array<std::uint8_t, 3> local;
@@ -80,9 +87,9 @@ private:
     int owner, face;
   };
 
-  /// All new tetrahedra are positive, their side faces match, no vertex but the one that goes is lost, and the block
+  /// All new tetrahedra are positive, their side faces match, no vertex is lost but those that may go, and the block
   /// has ids enough.
-  [[nodiscard]] Permit validate(const TetMesh& mesh, const Block& block);
+  [[nodiscard]] Permit validate(const TetMesh& mesh, const Block& block, Enclosed enclosed);
   /// Re-joins the hull to the apex, made if it does not exist yet.
   void commit(TetMesh& mesh, Block& block, const Permit& permit);
 
@@ -93,7 +100,7 @@ private:
   bool enter_edges();
   [[nodiscard]] bool borders_are_on_hull() const;
   bool sides_agree(const TetMesh& mesh) const;
-  [[nodiscard]] bool loses_vertex(const TetMesh& mesh) const;
+  [[nodiscard]] bool find_lost(const TetMesh& mesh, Enclosed enclosed);
   [[nodiscard]] bool is_owned(const TetMesh& mesh, const Block& block) const;
   void clear_matching();
   [[nodiscard]] bool has_ids(const Block& block) const;
@@ -112,6 +119,8 @@ private:
   SurfaceCavity surface_;
   std::array<HullFace, FaceBatch::capacity> faces_{};
   std::array<ApexFace, FaceBatch::capacity> apex_faces_{};
+  std::array<VertexId, most_lost> lost_{};  ///< vertices of the cavity that are not on its hull
+  int lost_count_ = 0;
 
   // Maps a directed edge (a, b) of a hull face, in local numbers, to 1 + 3 face + edge, or to apex_base + apex face.
   static constexpr int apex_base = 1 + 3 * FaceBatch::capacity;

@@ -38,7 +38,7 @@ bool Cavity::is_owned(const TetMesh& mesh, const Block& block) const {
 }
 
 void Cavity::make_apex(TetMesh& mesh, Block& block) const {
-  if (!mesh.is_vertex_alive(apex_.id)) block.add_vertex(mesh, apex_.vertex, apex_.tag, apex_.host);
+  if (!mesh.is_vertex_alive(apex_.id)) block.add_vertex(mesh, apex_.vertex, apex_.tag, apex_.host, apex_.seat);
 }
 
 // New tetrahedra first take the ids of the removed ones, so that neighbours in space stay neighbours in memory.
@@ -114,7 +114,7 @@ void Cavity::glue_side(TetMesh& mesh, int i, int k) {
 
 void Cavity::release(TetMesh& mesh, Block& block) {
   for (int i = batch.size(); i < tets.size(); ++i) block.remove_tet(mesh, tets[i]);
-  if (gone_ != none) block.remove_vertex(mesh, gone_);
+  for (int i = 0; i < lost_count_; ++i) block.remove_vertex(mesh, lost_[i]);
 }
 
 }  // namespace taut

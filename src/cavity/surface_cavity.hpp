@@ -16,11 +16,12 @@ struct Apex {
   Vertex vertex{};
   Tag tag{};
   CellId host = none;  ///< of one about to be made
+  SeatId seat = none;  ///< on the reference surface: where to begin to search
 };
 
 /// A vertex of the mesh as apex.
 [[nodiscard]] inline Apex apex_at(const TetMesh& mesh, VertexId v) {
-  return {v, mesh.vertices[v], mesh.tag_of_vertex[v]};
+  return {v, mesh.vertices[v], mesh.tag_of_vertex[v], mesh.host_of_vertex[v], mesh.seat_of_vertex[v]};
 }
 
 /// Within each patch, connects the border edges of the removed triangles to the apex; within each line, the end points

@@ -39,11 +39,12 @@ double alignment(const Curved& curved, const std::array<Vec3, 3>& t, const Vec3&
 
 }  // namespace
 
-double misfit(const Model& model, PatchId patch, const std::array<Vec3, 3>& triangle) {
+double misfit(const Model& model, PatchId patch, const std::array<Vec3, 3>& triangle, SeatId& near) {
   const Curved* const curved = model.patches[patch].curved();
   if (curved == nullptr) return 0;
   const Vec3 centre = (1.0 / 3) * (triangle[0] + triangle[1] + triangle[2]);
-  const OnPatch at = model.surface->closest_on(curved->patch, centre);
+  const OnPatch at = model.surface->closest_on(curved->patch, centre, static_cast<TriangleId>(near));
+  near = static_cast<SeatId>(at.triangle);
   const double cosine = alignment(*curved, triangle, at.normal);
   if (!(cosine > 0)) return std::numeric_limits<double>::infinity();
   const Extent extent = extent_of(triangle, model.surface->shape_operator(at));

@@ -16,13 +16,22 @@ bool contains(const std::vector<Id>& ids, Id id) {
 struct Projection {
   const ReferenceSurface* surface;
   const Vec3& x;
+  SeatId& seat;
   Vec3 operator()(const Frozen&) const { return x; }
   Vec3 operator()(const Plane& plane) const { return x - (dot(plane.normal, x) - plane.offset) * plane.normal; }
-  Vec3 operator()(const Curved& curved) const { return surface->closest_on(curved.patch, x).point; }
+  Vec3 operator()(const Curved& curved) const {
+    const OnPatch at = surface->closest_on(curved.patch, x, static_cast<TriangleId>(seat));
+    seat = static_cast<SeatId>(at.triangle);
+    return at.point;
+  }
   Vec3 operator()(const Straight& line) const {
     return line.origin + dot(x - line.origin, line.direction) * line.direction;
   }
-  Vec3 operator()(const Bent& line) const { return surface->closest_on(line.curve, x).point; }
+  Vec3 operator()(const Bent& line) const {
+    const OnCurve at = surface->closest_on(line.curve, x, seat);
+    seat = static_cast<SeatId>(at.segment);
+    return at.point;
+  }
 };
 
 struct Normal {
@@ -56,9 +65,9 @@ bool Model::on_line(Tag tag, LineId line) const {
   return tag.is_on_line() ? tag.line() == line : contains(corners[tag.corner()].lines, line);
 }
 
-Vec3 Model::project(Tag tag, const Vec3& x) const {
-  if (tag.is_on_patch()) return std::visit(Projection{surface.get(), x}, patches[tag.patch()].shape);
-  if (tag.is_on_line()) return std::visit(Projection{surface.get(), x}, lines[tag.line()].shape);
+Vec3 Model::project(Tag tag, const Vec3& x, SeatId& seat) const {
+  if (tag.is_on_patch()) return std::visit(Projection{surface.get(), x, seat}, patches[tag.patch()].shape);
+  if (tag.is_on_line()) return std::visit(Projection{surface.get(), x, seat}, lines[tag.line()].shape);
   return tag.is_at_corner() ? corners[tag.corner()].place.value_or(x) : x;
 }
 

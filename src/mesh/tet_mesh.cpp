@@ -56,10 +56,11 @@ void TetMesh::resize_triangles(std::size_t count) {
   for_each_triangle_array(*this, [&](auto& array, const auto& dead) { array.resize(count, dead); });
 }
 
-void TetMesh::put_vertex(VertexId v, const Vertex& vertex, Tag tag, CellId host) {
+void TetMesh::put_vertex(VertexId v, const Vertex& vertex, Tag tag, CellId host, SeatId seat) {
   vertices[v] = vertex;
   tag_of_vertex[v] = tag;
   host_of_vertex[v] = host;
+  seat_of_vertex[v] = seat;
   origin_of_vertex[v] = none;
   state_of_vertex[v] = {};
 }

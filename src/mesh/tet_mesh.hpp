@@ -67,6 +67,7 @@ public:
   std::vector<TetId> tet_of_vertex;  ///< some tetrahedron of each vertex; `none` for a dead one
   std::vector<Tag> tag_of_vertex;
   std::vector<CellId> host_of_vertex;           ///< where in the background mesh the vertex lies
+  std::vector<SeatId> seat_of_vertex;           ///< where on the reference surface it was last found, or `none`
   std::vector<std::uint32_t> origin_of_vertex;  ///< index in the input, or `none`
   std::vector<VertexState> state_of_vertex;
 
@@ -83,6 +84,7 @@ public:
     visit(mesh.tet_of_vertex, TetId{none});
     visit(mesh.tag_of_vertex, Tag{});
     visit(mesh.host_of_vertex, CellId{none});
+    visit(mesh.seat_of_vertex, SeatId{none});
     visit(mesh.origin_of_vertex, std::uint32_t{none});
     visit(mesh.state_of_vertex, VertexState{});
   }
@@ -125,7 +127,7 @@ public:
   }
 
   /// Fills the record of a dead vertex. It becomes alive when it gets a tetrahedron.
-  void put_vertex(VertexId v, const Vertex& vertex, Tag tag, CellId host);
+  void put_vertex(VertexId v, const Vertex& vertex, Tag tag, CellId host, SeatId seat = none);
 
   /// All arrays of an entity at once; new ones are dead. Throws Failure beyond the id space.
   void resize_vertices(std::size_t count);

@@ -8,6 +8,7 @@ namespace taut {
 namespace {
 
 constexpr int most_repairs = 12;     // repetitions of removing tetrahedra whose faces do not see the new vertex
+constexpr int most_growths = 12;     // the same for adding the tetrahedra beyond
 constexpr int largest_cavity = 100;  // the criterion of eq. (4) rarely gives 40
 
 // Finds the line or patch on which the edge of the shell lies. False if it may not be split.
@@ -40,17 +41,26 @@ public:
     if (!grow()) return Outcome::put_off;
     const Outcome outcome = rejoin();
     const bool is_final = outcome == Outcome::accepted || outcome == Outcome::short_edge || outcome == Outcome::put_off;
-    if (is_final || k_.cavity.tets.size() == core_) return outcome;
+    if (is_final) return outcome;
+    if (k_.cavity.tets.size() == core_) return outcome == Outcome::inverted ? make_room() : outcome;
     collect_core();
-    return rejoin();
+    const Outcome reduced = rejoin();
+    return reduced == Outcome::inverted ? make_room() : reduced;
   }
 
 private:
   void place() {
     apex_.id = k_.block->vertices.next();
-    apex_.vertex.x = k_.model.project(apex_.tag, x_);
+    apex_.seat = seat_nearby();
+    apex_.vertex.x = k_.model.project(apex_.tag, x_, apex_.seat);
     apex_.host = mesh_.host_of_vertex[k_.shell.a];
     apex_.vertex.m = k_.target.at(apex_.vertex.x, apex_.host);
+  }
+
+  [[nodiscard]] SeatId seat_nearby() const {
+    for (const VertexId v : {k_.shell.a, k_.shell.b})
+      if (mesh_.tag_of_vertex[v] == apex_.tag) return mesh_.seat_of_vertex[v];
+    return none;
   }
 
   [[nodiscard]] bool too_short(VertexId v) const {
@@ -93,14 +103,48 @@ private:
   }
 
   Outcome rejoin() {
-    Cavity& cavity = k_.cavity;
     if (const Outcome outcome = make_star_shaped(); outcome != Outcome::accepted) return outcome;
-    return cavity.conclude(mesh_, *k_.block, [&] {
-      for (double l : cavity.lengths())
-        if (l < rules_.shortest_new_edge) return Outcome::short_edge;
-      const double bound = std::min(rules_.worst_quality, rules_.share_of_old * cavity.worst_old_quality(mesh_));
-      return cavity.batch.all_above(bound) ? Outcome::accepted : Outcome::quality;
-    });
+    return k_.cavity.conclude(mesh_, *k_.block, [&] { return judge(); });
+  }
+
+  [[nodiscard]] Outcome judge() {
+    for (double l : k_.cavity.lengths())
+      if (l < rules_.shortest_new_edge) return Outcome::short_edge;
+    const double bound = std::min(rules_.worst_quality, rules_.share_of_old * k_.cavity.worst_old_quality(mesh_));
+    return k_.cavity.batch.all_above(bound) ? Outcome::accepted : Outcome::quality;
+  }
+
+  // A vertex on a curved surface is not on the edge that it splits: what lies between them is in its way. The cavity
+  // takes in the tetrahedra beyond all faces that do not see the vertex, and the vertices in the volume that it comes
+  // to enclose go.
+  Outcome make_room() {
+    if (apex_.tag.is_in_volume() || k_.model.surface == nullptr) return Outcome::inverted;
+    Cavity& cavity = k_.cavity;
+    collect_core();
+    for (int growth = 0; growth < most_growths; ++growth) {
+      if (const Outcome outcome = cavity.propose(mesh_, k_.model, apex_); outcome != Outcome::accepted) return outcome;
+      const int size = cavity.tets.size();
+      for (int i = 0; i < cavity.batch.size(); ++i)
+        if (!cavity.sees(i))
+          if (const Outcome outcome = cross(i); outcome != Outcome::accepted) return outcome;
+      if (cavity.tets.size() == size)
+        return cavity.conclude(
+            mesh_, *k_.block, [&] { return judge(); }, Enclosed::go);
+    }
+    return Outcome::inverted;
+  }
+
+  // Adds the tetrahedron beyond face i of the hull, unless it must stay.
+  Outcome cross(int i) {
+    TetSet& tets = k_.cavity.tets;
+    const FaceLink link = mesh_.tets[tets[k_.cavity.owner(i)]].n[k_.cavity.face(i)];
+    if (link.is_triangle() || tets.size() >= largest_cavity) return Outcome::inverted;
+    const TetId t = link.tet();
+    if (tets.contains(t)) return Outcome::accepted;
+    if (k_.any_frozen({&t, 1})) return Outcome::frozen;
+    if (!k_.block->owns(mesh_.tets[t].v[link.face()])) return Outcome::put_off;
+    (void)tets.add(t);
+    return Outcome::accepted;
   }
 
   // Removes tetrahedra with a face that does not see the new vertex from the cavity, until none is left, but never

@@ -12,7 +12,12 @@
 namespace taut {
 
 VertexMove::VertexMove(Kernel& kernel, VertexId v)
-    : k_(kernel), mesh_(kernel.mesh), v_(v), old_(mesh_.vertices[v]), tag_(mesh_.tag_of_vertex[v]) {}
+    : k_(kernel),
+      mesh_(kernel.mesh),
+      v_(v),
+      old_(mesh_.vertices[v]),
+      tag_(mesh_.tag_of_vertex[v]),
+      seat_(mesh_.seat_of_vertex[v]) {}
 
 // Collects the ball first and then its vertices, so that memory fetched during the walk has arrived when it is needed.
 Outcome VertexMove::gather() {
@@ -56,17 +61,18 @@ void VertexMove::gather_facets() {
     }
 }
 
-double VertexMove::worst_misfit(const Vec3& x) const {
+double VertexMove::worst_misfit(const Vec3& x, SeatId near) const {
   double worst = 0;
+  if (!tag_.is_on_patch()) near = none;
   for (const auto& [patch, b, c] : facets_)
-    worst = std::max(worst, misfit(k_.model, patch, {x, mesh_.x(b), mesh_.x(c)}));
+    worst = std::max(worst, misfit(k_.model, patch, {x, mesh_.x(b), mesh_.x(c)}, near));
   return worst;
 }
 
 bool VertexMove::facets_fit() {
-  const double worst = worst_misfit(moved_.x);
+  const double worst = worst_misfit(moved_.x, seat_);
   if (worst <= 1) return true;
-  if (old_misfit_ < 0) old_misfit_ = worst_misfit(old_.x);
+  if (old_misfit_ < 0) old_misfit_ = worst_misfit(old_.x, mesh_.seat_of_vertex[v_]);
   return worst <= old_misfit_ && worst < std::numeric_limits<double>::infinity();
 }
 
@@ -74,7 +80,7 @@ bool VertexMove::facets_fit() {
 // moves.
 Outcome VertexMove::propose(const Vec3& step) {
   measured_ = false;
-  moved_.x = k_.model.project(tag_, old_.x + step);
+  moved_.x = k_.model.project(tag_, old_.x + step, seat_);
   if (!k_.batch.all_see(moved_.x)) return Outcome::inverted;
   if (!facets_.empty() && !facets_fit()) return Outcome::surface;
   evaluate();
@@ -120,6 +126,7 @@ bool VertexMove::all_positive() const {
 void VertexMove::write(const MoveRules& rules) {
   mesh_.vertices[v_] = moved_;
   mesh_.host_of_vertex[v_] = host_;
+  mesh_.seat_of_vertex[v_] = seat_;
   const double moved_by = std::sqrt(quadratic_form(moved_.m, moved_.x - old_.x));
   float& drift = mesh_.state_of_vertex[v_].drift;
   drift += static_cast<float>(moved_by);

@@ -46,7 +46,7 @@ private:
     VertexId b, c;
   };
   void gather_facets();
-  [[nodiscard]] double worst_misfit(const Vec3& x) const;
+  [[nodiscard]] double worst_misfit(const Vec3& x, SeatId near) const;
   [[nodiscard]] bool facets_fit();
   void evaluate();
   [[nodiscard]] bool all_positive() const;
@@ -60,6 +60,7 @@ private:
   const Tag tag_;
   Vertex moved_{};
   CellId host_ = none;
+  SeatId seat_;
   std::span<const double> lengths_;  // at the old place, or at the new one if that is measured
   bool measured_ = false;            // whether it is
   double old_quality_ = 1, old_phi_ = 0;

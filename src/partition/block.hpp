@@ -52,9 +52,9 @@ public:
     mesh.take_back(triangles.release());
   }
 
-  VertexId add_vertex(TetMesh& mesh, const Vertex& vertex, Tag tag, CellId host) {
+  VertexId add_vertex(TetMesh& mesh, const Vertex& vertex, Tag tag, CellId host, SeatId seat = none) {
     const VertexId v = vertices.take();
-    mesh.put_vertex(v, vertex, tag, host);
+    mesh.put_vertex(v, vertex, tag, host, seat);
     return v;
   }
   void remove_vertex(TetMesh& mesh, VertexId v) {

@@ -104,7 +104,7 @@ void ReferenceSurface::search(PatchId patch, const Vec3& x, OnPatch& best) const
 
 OnPatch ReferenceSurface::closest_on(PatchId patch, const Vec3& x, TriangleId guess) const {
   OnPatch best = nothing_yet();
-  if (guess != none && patch_of_[guess] == patch)
+  if (guess < patch_of_.size() && patch_of_[guess] == patch)
     try_triangle(cubics_[guess], guess, x, closest_on_triangle(x, cubics_[guess].corner).weights, best);
   search(patch, x, best);
   best.normal = normal_at(best);

@@ -67,6 +67,38 @@ Mesh ball_in_a_cube(Index n) {
   return mesh;
 }
 
+// A quarter of a ring, radii 1/2 and 1, height 1, with n cells in each direction.
+Mesh quarter_ring(Index n) {
+  Mesh mesh = test::grid(n);
+  test::add_triangles(mesh);
+  mesh.triangle_refs.clear();
+  for (const auto& t : mesh.triangles) {
+    const Vec3 c = test::centre_of(mesh, t);
+    mesh.triangle_refs.push_back(c[0] == 0 ? 1 : c[0] == 1 ? 2 : c[1] == 0 ? 3 : c[1] == 1 ? 4 : c[2] == 0 ? 5 : 6);
+  }
+  for (Point& p : mesh.points) {
+    const double r = 0.5 + 0.5 * p[0], angle = 0.5 * pi * p[1];
+    p = {r * std::cos(angle), r * std::sin(angle), p[2]};
+  }
+  return mesh;
+}
+
+// Layers of 0.002 on the inner cylinder, 0.1 along it.
+Sym3 layers(const Vec3& x) {
+  const double r = std::hypot(x[0], x[1]), across = 0.002 + 0.2 * std::abs(r - 0.5);
+  const Vec3 e = {x[0] / r, x[1] / r, 0};
+  return 100.0 * identity3 + (1 / (across * across) - 100) * outer(e);
+}
+
+TEST(Curved, LayersThinnerThanTheSagHaveRoom) {
+  const Mesh in = quarter_ring(6);  // edges of 0.13, whose middles are 0.004 below the cylinder
+  const auto metric = [](const Point& x) { return layers(x); };
+  const AdaptResult result = adapt(in, metric, {.limits = {}, .max_rounds = 20});
+  test::expect_near_curved(result, in);
+  EXPECT_LT(result.report.quality.length_max, 4) << "vertices between an edge and its middle on the surface kept it";
+  EXPECT_GT(result.report.quality.mean_ratio_min, 0.1);
+}
+
 TEST(Curved, ASphereBecomesFiner) {
   const Mesh in = sphere(8);
   const AdaptResult result = adapt(in, test::uniform(0.14), {.max_rounds = 12});
