@@ -22,8 +22,8 @@ namespace taut {
 /// Reads the points and triangles of a mesh file; it need not have tetrahedra. Throws InputError.
 [[nodiscard]] TAUT_EXPORT SurfaceMesh read_surface(const std::filesystem::path& path);
 
-/// Reads a mesh that need not have tetrahedra, with references, edges and corners: what a Geometry is made from. Throws
-/// InputError.
+/// Reads a mesh with tetrahedra, triangles or both, with references, edges and corners: what a Geometry is made from.
+/// Throws InputError.
 [[nodiscard]] TAUT_EXPORT Mesh read_boundary(const std::filesystem::path& path);
 
 /// Reads all fields of the keyword SolAtVertices. Throws InputError.

@@ -118,11 +118,13 @@ Mesh read_mesh(const std::filesystem::path& path) {
 }
 
 Mesh read_boundary(const std::filesystem::path& path) {
-  return gmf::read_mesh(gmf::open(path, ".mesh", ".meshb"), gmf::Needs::triangles);
+  const gmf::GmfFile file = gmf::open(path, ".mesh", ".meshb");
+  const bool has_tetrahedra = file.find(gmf::Code::tetrahedra) != nullptr;
+  return gmf::read_mesh(file, has_tetrahedra ? gmf::Needs::tetrahedra : gmf::Needs::triangles);
 }
 
 SurfaceMesh read_surface(const std::filesystem::path& path) {
-  Mesh mesh = read_boundary(path);
+  Mesh mesh = gmf::read_mesh(gmf::open(path, ".mesh", ".meshb"), gmf::Needs::triangles);
   return {std::move(mesh.points), std::move(mesh.triangles)};
 }
 

@@ -47,6 +47,18 @@ TEST_F(GeometryRun, VerticesLieOnTheOtherSurface) {
   expect_done({"quality", "out.meshb", "--check"});
 }
 
+TEST_F(GeometryRun, TheSurfaceOfTetrahedraServes) {
+  Mesh fine = ball(8);
+  fine.triangles.clear();
+  fine.triangle_refs.clear();
+  write("tetrahedra.mesh", mesh_text(fine));
+  expect_done({"adapt", "ball.mesh", "--size", "0.4", "--geometry", "tetrahedra.mesh", "-o", "out.meshb"});
+  const Geometry geometry(fine);
+  const Mesh mesh = read_mesh("out.meshb");
+  for (const auto& triangle : mesh.triangles)
+    for (const Index v : triangle) EXPECT_LT(geometry.closest(mesh.points[v]).distance, 1e-9);
+}
+
 TEST_F(GeometryRun, WithoutOneTheReportHasNone) {
   expect_done({"adapt", "ball.mesh", "--size", "0.8", "-o", "out.meshb", "--report", "out.json"});
   const json report = json::parse(read("out.json"));
