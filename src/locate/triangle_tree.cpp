@@ -9,7 +9,7 @@
 namespace taut {
 namespace {
 
-constexpr std::size_t most_in_leaf = 4;
+constexpr std::size_t most_in_leaf = 2;
 
 void stretch(Vec3& low, Vec3& high, const Vec3& x) {
   for (std::size_t d = 0; d < 3; ++d) {

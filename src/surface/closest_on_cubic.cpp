@@ -127,7 +127,7 @@ OnCubicTriangle closest_on(const CubicTriangle& patch, const Vec3& x, const Weig
     }
     if (!is_closer || size < smallest_step) break;
   }
-  return {s.x, w, square, iterations};
+  return {s.x, cross(s.u, s.v), w, square, iterations};
 }
 
 OnCubicSegment closest_on(const CubicSegment& curve, const Vec3& x, double parameter) {

@@ -27,9 +27,8 @@ std::vector<Vec3> gradients_of(std::span<const Derivatives> jets) {
   return gradients;
 }
 
-Vec3 unit_normal(const SurfacePoint& s, const std::array<Vec3, 3>& corner) {
-  Vec3 n = cross(s.u, s.v);
-  if (!(dot(n, n) > 0)) n = cross(corner[1] - corner[0], corner[2] - corner[0]);
+Vec3 unit_normal(const Vec3& across, const std::array<Vec3, 3>& corner) {
+  const Vec3 n = dot(across, across) > 0 ? across : cross(corner[1] - corner[0], corner[2] - corner[0]);
   const double length = norm(n);
   return length > 0 ? 1 / length * n : n;
 }
@@ -43,6 +42,7 @@ void try_triangle(const CubicTriangle& cubic, TriangleId t, const Vec3& x, const
   const double distance = std::sqrt(at.squared_distance);
   if (distance > best.distance || (distance == best.distance && t > best.triangle)) return;
   best.point = at.point;
+  best.normal = at.across;
   best.weights = at.weights;
   best.triangle = t;
   best.distance = distance;
@@ -107,7 +107,7 @@ OnPatch ReferenceSurface::closest_on(PatchId patch, const Vec3& x, TriangleId gu
   if (guess < patch_of_.size() && patch_of_[guess] == patch)
     try_triangle(cubics_[guess], guess, x, closest_on_triangle(x, cubics_[guess].corner).weights, best);
   search(patch, x, best);
-  best.normal = normal_at(best);
+  best.normal = unit_normal(best.normal, cubics_[best.triangle].corner);
   return best;
 }
 
@@ -120,12 +120,8 @@ OnPatch ReferenceSurface::closest(const Vec3& x) const {
     if (bound > best.distance) break;
     search(patch, x, best);
   }
-  best.normal = normal_at(best);
+  best.normal = unit_normal(best.normal, cubics_[best.triangle].corner);
   return best;
-}
-
-Vec3 ReferenceSurface::normal_at(const OnPatch& at) const {
-  return unit_normal(evaluate(cubics_[at.triangle], at.weights), cubics_[at.triangle].corner);
 }
 
 OnCurve ReferenceSurface::closest_on(LineId curve, const Vec3& x, Index guess) const {

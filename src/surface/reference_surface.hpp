@@ -68,7 +68,6 @@ public:
 
 private:
   void set_tags();
-  [[nodiscard]] Vec3 normal_at(const OnPatch& at) const;
   void search(PatchId patch, const Vec3& x, OnPatch& best) const;
 
   Facets facets_;
