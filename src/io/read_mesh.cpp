@@ -121,6 +121,10 @@ Mesh read_boundary(const std::filesystem::path& path) {
   return gmf::read_mesh(gmf::open(path, ".mesh", ".meshb"), gmf::Needs::triangles);
 }
 
+Mesh read_edges(const std::filesystem::path& path) {
+  return gmf::read_mesh(gmf::open(path, ".mesh", ".meshb"), gmf::Needs::edges);
+}
+
 SurfaceMesh read_surface(const std::filesystem::path& path) {
   Mesh mesh = read_boundary(path);
   return {std::move(mesh.points), std::move(mesh.triangles)};
