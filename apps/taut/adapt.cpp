@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,8 +14,10 @@
 #include "files.hpp"
 #include "interrupt.hpp"
 #include "json.hpp"
+#include "local_file.hpp"
 #include "options.hpp"
 #include "progress_line.hpp"
+#include "ridges_file.hpp"
 #include "solution.hpp"
 #include "stopwatch.hpp"
 #include "table.hpp"
@@ -27,6 +30,7 @@ struct AdaptInput {
   Mesh mesh;
   Metric metric;              ///< without fields
   std::vector<Field> fields;  ///< empty: the metric counts
+  LocalSizes local;
   std::optional<Geometry> geometry;
 };
 
@@ -37,28 +41,59 @@ std::optional<Geometry> read_geometry(const AdaptJob& job) {
                     [&] { return Geometry(mesh, {.ridge_angle = job.options.ridge_angle}); });
 }
 
+LocalSizes read_local(const AdaptJob& job) {
+  if (job.local.empty()) return {};
+  LocalSizes sizes = read_local_sizes(job.local);
+  if (job.options.ridge_angle) sizes.ridge_angle = *job.options.ridge_angle;
+  return sizes;
+}
+
 AdaptInput read_input(const AdaptJob& job) {
-  AdaptInput input{.mesh = read_mesh(job.input), .metric = {}, .fields = {}, .geometry = read_geometry(job)};
+  AdaptInput input{.mesh = read_mesh(job.input),
+                   .metric = {},
+                   .fields = {},
+                   .local = read_local(job),
+                   .geometry = read_geometry(job)};
+  if (!job.ridges.empty()) input.mesh = with_ridges_of(job.ridges, std::move(input.mesh), job.input);
   if (adapts_to_fields(job)) {
     input.fields = read_fields(job.field.files, input.mesh.points.size());
-  } else {
-    input.metric = job.size ? metric_of_size(*job.size) : read_metric(job.metric);
+  } else if (!job.metric.empty()) {
+    input.metric = read_metric(job.metric);
   }
   return input;
 }
 
+/// Without fields.
+Metric metric_of(const AdaptJob& job, const AdaptInput& input) {
+  Metric metric = job.size              ? metric_of_size(*job.size)
+                  : !job.metric.empty() ? input.metric
+                                        : implied_metric(input.mesh);
+  if (input.local.empty()) return metric;
+  return with_local_sizes(input.mesh, tensors_of(input.mesh, metric), input.local);
+}
+
+/// For errors about it.
+std::string name_of_metric(const AdaptJob& job) {
+  return job.size ? "--size" : !job.metric.empty() ? job.metric : job.optimise ? "--optimise" : job.local;
+}
+
 SolutionResult work_on(const AdaptJob& job, const AdaptInput& input, AdaptOptions options) {
   if (adapts_to_fields(job))
-    return with_files(
-        job.input,
-        {{"fields: ", fmt::format("{}", fmt::join(job.field.files, ", "))},
-         {"metric: ", "--complexity"},
-         {"geometry: ", job.geometry}},
-        [&] { return adapt_to_solution(input.mesh, input.fields, solution_options(job.field, job.limits, options)); });
+    return with_files(job.input,
+                      {{"fields: ", fmt::format("{}", fmt::join(job.field.files, ", "))},
+                       {"metric: ", "--complexity"},
+                       {"local sizes: ", job.local},
+                       {"geometry: ", job.geometry}},
+                      [&] {
+                        SolutionOptions solution = solution_options(job.field, job.limits, options);
+                        solution.local = input.local;
+                        return adapt_to_solution(input.mesh, input.fields, solution);
+                      });
   options.limits = limits_of(job.limits);
   SolutionResult result;
-  result.adapted = with_files(job.input, {{"metric: ", job.size ? "--size" : job.metric}, {"geometry: ", job.geometry}},
-                              [&] { return adapt(input.mesh, input.metric, options); });
+  result.adapted = with_files(
+      job.input, {{"metric: ", name_of_metric(job)}, {"local sizes: ", job.local}, {"geometry: ", job.geometry}},
+      [&] { return adapt(input.mesh, metric_of(job, input), options); });
   return result;
 }
 

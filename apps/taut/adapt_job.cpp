@@ -19,6 +19,7 @@ constexpr const char* examples =
     "  taut adapt wing.meshb --metric wing-met.solb -o adapted.meshb\n"
     "  taut adapt part.mesh --size 0.05 --surface fixed -o fine.mesh\n"
     "  taut adapt wing.meshb --field mach.solb --complexity 50000 -o next.meshb\n"
+    "  taut adapt wing.meshb --optimise --local finer-edge.json -o better.meshb\n"
     "  taut adapt step3.meshb --size 0.1 --geometry first.meshb -o step4.meshb\n"
     "  taut adapt box.meshb --metric m.solb --gradation 1.3 --hmin 1e-4 -o out.meshb --report out.json";
 
@@ -40,6 +41,17 @@ void add_files(CLI::App& command, AdaptJob& job) {
   command.add_flag("--quiet", job.quiet, "print only errors");
 }
 
+void add_sizes(CLI::App& command, AdaptJob& job) {
+  add_size(command, job.size);
+  command.add_flag("--optimise,--optimize", job.optimise,
+                   "keep the sizes and the stretching that the mesh has, and mend its quality, instead of a metric");
+  command
+      .add_option("--local", job.local,
+                  "sizes by the references of triangles, edges, vertices and tetrahedra, .json, beside those of a "
+                  "metric; alone, beside those that the mesh has")
+      ->type_name("FILE");
+}
+
 void add_boundary(CLI::App& command, AdaptJob& job) {
   add_surface(command, job.options.surface,
               "remesh all, with vertices on the curved surface that the triangles stand for");
@@ -47,6 +59,11 @@ void add_boundary(CLI::App& command, AdaptJob& job) {
       .add_option("--geometry", job.geometry,
                   "triangles or tetrahedra, .mesh or .meshb, whose curved surface the vertices of the boundary are to "
                   "lie on, instead of that of IN; the same file for many adaptations keeps the surface")
+      ->type_name("FILE");
+  command
+      .add_option("--ridges", job.ridges,
+                  "edges that are ridges whatever the angle: those marked in a mesh, .mesh or .meshb, or all of its "
+                  "edges if none is, found in IN by their places; or text with two vertex numbers a line, from 1")
       ->type_name("FILE");
   add_ridge_angle(command, job.options.ridge_angle);
   command
@@ -61,8 +78,9 @@ void require_one_target(const AdaptJob& job) {
   if (!job.metric.empty()) found.emplace_back("--metric");
   if (job.size) found.emplace_back("--size");
   if (adapts_to_fields(job)) found.emplace_back("--field");
-  if (found.empty())
-    throw InputError("none of --metric, --size and --field found, expected one; see 'taut adapt --help'");
+  if (job.optimise) found.emplace_back("--optimise");
+  if (found.empty() && job.local.empty())
+    throw InputError("none of --metric, --size, --field and --optimise found, expected one; see 'taut adapt --help'");
   if (found.size() > 1)
     throw InputError(
         fmt::format("{} found, expected only one of them; see 'taut adapt --help'", fmt::join(found, " and ")));
@@ -80,7 +98,7 @@ void require_adapted_surface(const AdaptJob& job) {
 
 void add_options(CLI::App& command, AdaptJob& job) {
   add_files(command, job);
-  add_size(command, job.size);
+  add_sizes(command, job);
   add_fields(command, job.field);
   add_limits(command, job.limits);
   add_boundary(command, job);

@@ -15,7 +15,10 @@ struct AdaptJob {
   std::string input, metric, output;
   std::string report, metric_out;  ///< empty: not written
   std::string geometry;            ///< file of the surface for the boundary; empty: that of the mesh
+  std::string ridges;              ///< file of edges that are ridges too; empty: none
+  std::string local;               ///< file of sizes by reference; empty: none
   std::optional<double> size;      ///< wanted everywhere, instead of a metric or of fields
+  bool optimise = false;           ///< keep the sizes of the mesh, instead of a metric or of fields
   FieldJob field;
   AskedLimits limits;
   bool quiet = false;

@@ -31,6 +31,13 @@ public:
     for (std::size_t i = 0; i < value_->size(); ++i) work(entry(i));
   }
 
+  /// Calls work(key, place of its value) for each key of an object; `what` says what its keys are.
+  template <class Work>
+  void for_each_key(std::string_view what, Work work) const {
+    if (!value_->is_object()) expected(what);
+    for (const auto& item : value_->items()) work(item.key(), at(item.key()));
+  }
+
   [[nodiscard]] std::size_t size() const { return value_->size(); }
 
   [[nodiscard]] double number() const;

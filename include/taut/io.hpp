@@ -26,6 +26,9 @@ namespace taut {
 /// Throws InputError.
 [[nodiscard]] TAUT_EXPORT Mesh read_boundary(const std::filesystem::path& path);
 
+/// Reads a mesh that need not have tetrahedra or triangles, but has edges: what with_ridges() takes. Throws InputError.
+[[nodiscard]] TAUT_EXPORT Mesh read_edges(const std::filesystem::path& path);
+
 /// Reads all fields of the keyword SolAtVertices. Throws InputError.
 [[nodiscard]] TAUT_EXPORT std::vector<Field> read_solution(const std::filesystem::path& path);
 

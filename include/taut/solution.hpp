@@ -8,6 +8,7 @@
 #include "taut/adapt.hpp"
 #include "taut/export.hpp"
 #include "taut/field.hpp"
+#include "taut/local_sizes.hpp"
 #include "taut/mesh.hpp"
 #include "taut/sizing.hpp"
 #include "taut/transfer.hpp"
@@ -16,7 +17,8 @@ namespace taut {
 
 /// How a mesh is adapted to a solution. Only `sizing.complexity` has to be set.
 struct SolutionOptions {
-  LpOptions sizing{};                           ///< the wanted complexity, the norm, limits on the metric
+  LpOptions sizing{};  ///< the wanted complexity, the norm, limits on the metric
+  LocalSizes local{};  ///< added to the metric that has the complexity; then limits apply again
   Recovery recovery = Recovery::least_squares;  ///< of the Hessians
   AdaptOptions adapt{};                         ///< without limits, which `sizing` holds; its threads serve all steps
   TransferOptions transfer{};                   ///< of all fields to the adapted mesh
@@ -34,9 +36,10 @@ struct SolutionResult {
 
 /// Recovers the Hessians of all scalars and of all components of vectors in `fields`, makes the L^p metric of them
 /// (lp_metric(); what is linear does not count beside others), adapts the mesh to it and transfers all fields, tensors
-/// too. One call does not reach the fixed point: solve on the new mesh and call again, a few times. If a callback of
-/// `adapt` asks to stop, the fields are still transferred, to the mesh as it is then. Throws InputError for input that
-/// cannot be used, with a message that starts with "fields: " if it is about them, and for limits in `adapt`.
+/// too. Local sizes make the complexity differ from the one that was asked for. One call does not reach the fixed
+/// point: solve on the new mesh and call again, a few times. If a callback of `adapt` asks to stop, the fields are
+/// still transferred, to the mesh as it is then. Throws InputError for input that cannot be used, with a message that
+/// starts with "fields: " or "local sizes: " if it is about these, and for limits in `adapt`.
 [[nodiscard]] TAUT_EXPORT SolutionResult adapt_to_solution(const Mesh& mesh, const std::vector<Field>& fields,
                                                            const SolutionOptions& options);
 

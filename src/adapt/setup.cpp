@@ -12,6 +12,7 @@
 #include "metric/field.hpp"
 #include "sizing/complexity.hpp"
 #include "sizing/limits.hpp"
+#include "sizing/surface_curvatures.hpp"
 #include "taut/sizing.hpp"
 
 namespace taut {
@@ -29,9 +30,6 @@ void require_options(const AdaptOptions& o) {
 }
 
 namespace {
-
-// A triangle of unit edges is a third farther from a sphere than its edges' chords, and edges may be longer than 1.
-constexpr double deviation_of_chords = 0.5;
 
 Tensors wanted_at(const Mesh& input, const Metric& metric, const AdaptOptions& options) {
   Tensors tensors = tensors_at(input, metric);

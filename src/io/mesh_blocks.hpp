@@ -66,10 +66,14 @@ void for_each_block(AnyMesh& mesh, Visitor&& visit) {
 }
 
 /// Without vertices and elements of this kind a file is no mesh for taut; all else may be absent.
-enum class Needs { tetrahedra, triangles };
+enum class Needs { tetrahedra, triangles, edges };
+
+constexpr Code code_of(Needs needs) {
+  return needs == Needs::tetrahedra ? Code::tetrahedra : needs == Needs::triangles ? Code::triangles : Code::edges;
+}
 
 constexpr bool is_required(Code code, Needs needs = Needs::tetrahedra) {
-  return code == Code::vertices || code == (needs == Needs::tetrahedra ? Code::tetrahedra : Code::triangles);
+  return code == Code::vertices || code == code_of(needs);
 }
 
 }  // namespace taut::gmf

@@ -123,6 +123,10 @@ Mesh read_boundary(const std::filesystem::path& path) {
   return gmf::read_mesh(file, has_tetrahedra ? gmf::Needs::tetrahedra : gmf::Needs::triangles);
 }
 
+Mesh read_edges(const std::filesystem::path& path) {
+  return gmf::read_mesh(gmf::open(path, ".mesh", ".meshb"), gmf::Needs::edges);
+}
+
 SurfaceMesh read_surface(const std::filesystem::path& path) {
   Mesh mesh = gmf::read_mesh(gmf::open(path, ".mesh", ".meshb"), gmf::Needs::triangles);
   return {std::move(mesh.points), std::move(mesh.triangles)};

@@ -3,6 +3,7 @@
 #include "base/stopwatch.hpp"
 #include "solution/options.hpp"
 #include "solution/sensors.hpp"
+#include "taut/local_sizes.hpp"
 #include "taut/solution.hpp"
 #include "taut/threads.hpp"
 
@@ -27,11 +28,19 @@ void timed_step(SolutionResult& result, const char* name, Step step) {
   result.seconds.emplace_back(name, watch.seconds());
 }
 
+ScaledMetric metric_of(const Mesh& mesh, const std::vector<Field>& fields, const SolutionOptions& options) {
+  ScaledMetric scaled = lp_metric(mesh, hessians_of(mesh, fields, options.recovery), options.sizing);
+  if (options.local.empty()) return scaled;
+  const Tensors local = with_local_sizes(mesh, std::move(scaled.metric), options.local);
+  scaled.metric = limited(mesh, local, options.sizing.limits);
+  scaled.complexity = complexity(mesh, scaled.metric);
+  return scaled;
+}
+
 void run_steps(const Mesh& mesh, const std::vector<Field>& fields, const SolutionOptions& options,
                SolutionResult& result) {
   ScaledMetric scaled;
-  timed_step(result, "sizing",
-             [&] { scaled = lp_metric(mesh, hessians_of(mesh, fields, options.recovery), options.sizing); });
+  timed_step(result, "sizing", [&] { scaled = metric_of(mesh, fields, options); });
   result.complexity = scaled.complexity;
   result.stopped_by = std::move(scaled.stopped_by);
   timed_step(result, "adapt", [&] { result.adapted = adapt(mesh, Metric{std::move(scaled.metric)}, options.adapt); });

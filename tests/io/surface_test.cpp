@@ -30,6 +30,18 @@ TEST_F(Surfaces, NeedTrianglesButNoTetrahedra) {
   EXPECT_TRUE(message.ends_with("a.mesh: keyword Triangles expected, not found")) << message;
 }
 
+TEST_F(Surfaces, EdgesAloneAreEnoughForLines) {
+  std::ofstream(directory / "a.mesh") << "MeshVersionFormatted 2 Dimension 3 Vertices 2 0 0 0 0 1 0 0 0 "
+                                         "Edges 1 1 2 7 Ridges 1 1 End";
+  const Mesh lines = read_edges(directory / "a.mesh");
+  EXPECT_EQ(lines.edges, (std::vector<std::array<Index, 2>>{{0, 1}}));
+  EXPECT_EQ(lines.edge_refs, (std::vector<int>{7}));
+  EXPECT_EQ(lines.ridges, (std::vector<Index>{0}));
+  write_surface(directory / "b.mesh", square);
+  const std::string message = message_of<InputError>([&] { (void)read_edges(directory / "b.mesh"); });
+  EXPECT_TRUE(message.ends_with("b.mesh: keyword Edges expected, not found")) << message;
+}
+
 TEST_F(Surfaces, OfAVolumeMeshAreItsTriangles) {
   write_mesh(directory / "a.meshb", two_tets());
   EXPECT_EQ(read_surface(directory / "a.meshb").triangles, two_tets().triangles);

@@ -31,7 +31,7 @@ TEST_F(Usage, UnknownWords) {
 }
 
 TEST_F(Usage, EitherMetricOrSizeOrField) {
-  expect_error({"adapt", "a.mesh", "-o", "b.mesh"}, 2, {"none of --metric, --size and --field found"});
+  expect_error({"adapt", "a.mesh", "-o", "b.mesh"}, 2, {"none of --metric, --size, --field and --optimise found"});
   expect_error({"adapt", "a.mesh", "-o", "b.mesh", "--size", "1", "--metric", "m.sol"}, 2, {"--metric", "--size"});
 }
 

@@ -1,9 +1,11 @@
 // From a solution to the adapted mesh with the solution on it.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "base/with_threads.hpp"
+#include "metric/spectral.hpp"
 #include "taut/quality.hpp"
 #include "taut/solution.hpp"
 #include "transfer/meshes.hpp"
@@ -53,6 +55,18 @@ protected:
     }
   }
 };
+
+TEST_F(AdaptToSolution, TakesLocalSizesAndGradesThem) {
+  const SolutionResult before = adapted();
+  options.local.tetrahedra = {{0, {.max = 0.12}}};
+  const SolutionResult after = adapted();
+  EXPECT_GT(after.complexity, 1.2 * before.complexity);
+  EXPECT_GT(after.adapted.mesh.points.size(), before.adapted.mesh.points.size());
+  for (const Tensor& m : after.adapted.metric) EXPECT_GT(spectrum(m).values[0], std::pow(0.12, -2) * (1 - 1e-6));
+  expect_linear_fields_kept(after);
+  options.local.tetrahedra = {{5, {.max = 0.12}}};
+  expect_refused("local sizes: tetrahedra.5: none of the mesh's 3072 tetrahedra has this reference");
+}
 
 TEST_F(AdaptToSolution, HasTheComplexity) {
   const SolutionResult result = adapted();
