@@ -146,6 +146,8 @@ void print_note(const std::string& file, std::size_t count, const char* what) {
 void print_notes(const AdaptJob& job, const Report& report) {
   print_note(job.input, report.reoriented, "inverted tetrahedra were reoriented");
   print_note(job.input, report.triangles_built, "missing triangles on the boundary or between regions were added");
+  print_note(job.input, report.edges_dropped,
+             "edges were dropped, because a vertex of theirs belongs to no tetrahedron");
   print_note(
       job.geometry, report.off_surface,
       "vertices of the boundary are not on this geometry, because they may not move or tetrahedra would turn over");

@@ -83,6 +83,7 @@ Json json_of(const Report& report) {
           {"seconds", json_of_phases(report.seconds)},
           {"reoriented", report.reoriented},
           {"triangles_built", report.triangles_built},
+          {"edges_dropped", report.edges_dropped},
           {"triangles_frozen", report.triangles_frozen},
           {"off_surface", report.off_surface},
           {"hash", fmt::format("{:016x}", report.hash)}};

@@ -90,6 +90,7 @@ struct Report {
   double expected_tetrahedra = 0;    ///< about how many the metric at the points of the input asks for
   std::size_t reoriented = 0;        ///< inverted tetrahedra of the input that were reoriented
   std::size_t triangles_built = 0;   ///< boundary and interface triangles that were missing from the input
+  std::size_t edges_dropped = 0;     ///< edges of the input with a vertex that belongs to no tetrahedron
   std::size_t triangles_frozen = 0;  ///< triangles kept as they are: not planar, required, or all if Surface::fixed
   /// Vertices that are not on AdaptOptions::geometry at the end: they are required or corners of the input, or
   /// tetrahedra would turn over. 0 without one.

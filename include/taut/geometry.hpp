@@ -38,7 +38,7 @@ struct ClosestPoint {
 /// often its triangles are replaced. Copies are cheap and share it; any number of threads may ask at a time.
 ///
 /// The surface is parted into patches at ridges. These are: edges where triangles of different reference meet, or other
-/// than two; edges of the mesh that are marked as ridges or as required; edges by angle. Without an angle, an edge is a
+/// than two; edges of the mesh that are marked as ridges; edges by angle. Without an angle, an edge is a
 /// ridge if the normals of its triangles differ by more than 15 degrees, and those of quadrics that are fitted to the
 /// surface on either side alone do too, by more than 0.6 of that. So coarse meshes of spheres, up to 35 degrees an
 /// edge, have no ridges, and roofs of 20 degrees have one. For edges of the mesh that are not marked, 5 degrees

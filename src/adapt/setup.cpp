@@ -7,6 +7,7 @@
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "geometry/classify.hpp"
+#include "geometry/features.hpp"
 #include "geometry/off_surface.hpp"
 #include "mesh/build.hpp"
 #include "metric/field.hpp"
@@ -64,9 +65,10 @@ std::vector<std::uint32_t> inverse(const std::vector<TetId>& tet_of_input) {
   return input_of_tet;
 }
 
-void count_mended(const Built& built, const Model& model, Report& report) {
+void count_mended(const Mesh& input, const Built& built, const Model& model, Report& report) {
   report.reoriented = built.reoriented;
   report.triangles_built = built.triangles_built;
+  for (std::size_t e = 0; e < input.edges.size(); ++e) report.edges_dropped += is_in_volume(input, built, e) ? 0 : 1;
   for (const Triangle& t : built.mesh.triangles) report.triangles_frozen += model.patches[t.patch].frozen() ? 1 : 0;
 }
 
@@ -97,7 +99,7 @@ Session set_up(const Mesh& mesh, const Metric& metric, const AdaptOptions& optio
                          options.geometry ? options.geometry->shared_surface() : nullptr);
   require_near_surface(built.mesh, model);
   if (options.deviation > 0) model.deviation = options.deviation;
-  count_mended(built, model, report);
+  count_mended(mesh, built, model, report);
   report.seconds.emplace_back("geometry", geometry_watch.seconds());
 
   const Stopwatch metric_watch;

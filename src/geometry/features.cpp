@@ -16,28 +16,31 @@ namespace {
 
 using GivenEdges = std::map<std::array<VertexId, 2>, Feature>;
 
-VertexId vertex_of(const Mesh& input, const Built& built, std::size_t edge, int k) {
+// What has to be kept cannot be dropped.
+void require_in_volume(const Mesh& input, const Built& built, std::size_t edge) {
   const auto& e = input.edges[edge];
-  const VertexId v = built.vertex_of_point[e[k]];
-  if (v == none)
-    throw InputError(
-        fmt::format("edge {} ({} {}): vertex {} belongs to no tetrahedron", edge + 1, e[0] + 1, e[1] + 1, e[k] + 1));
-  return v;
+  for (const Index p : e)
+    if (built.vertex_of_point[p] == none)
+      throw InputError(fmt::format("edge {} ({} {}) is required, but vertex {} belongs to no tetrahedron", edge + 1,
+                                   e[0] + 1, e[1] + 1, p + 1));
 }
 
 // The edges of the input by their vertices.
 GivenEdges given_edges(const Mesh& input, const Built& built) {
+  for (const Index e : input.required_edges) require_in_volume(input, built, e);
   GivenEdges given;
-  std::vector<Feature*> of_input;
+  std::vector<Feature*> of_input(input.edges.size(), nullptr);
   for (std::size_t e = 0; e < input.edges.size(); ++e) {
-    // Of values: no reference to them is kept.
-    const auto [a, b] = std::minmax({vertex_of(input, built, e, 0), vertex_of(input, built, e, 1)});
+    if (!is_in_volume(input, built, e)) continue;
+    const auto& [p, q] = input.edges[e];
+    const auto [a, b] = std::minmax({built.vertex_of_point[p], built.vertex_of_point[q]});
     Feature& feature = given[{a, b}];
     feature.edge = {a, b};
     feature.ref = input.edge_refs.empty() ? 0 : input.edge_refs[e];
-    of_input.push_back(&feature);
+    of_input[e] = &feature;
   }
-  for (Index e : input.ridges) of_input[e]->sharp = true;
+  for (Index e : input.ridges)
+    if (of_input[e] != nullptr) of_input[e]->sharp = true;
   for (Index e : input.required_edges) of_input[e]->required = true;
   return given;
 }
@@ -97,6 +100,10 @@ private:
 };
 
 }  // namespace
+
+bool is_in_volume(const Mesh& input, const Built& built, std::size_t edge) {
+  return std::ranges::none_of(input.edges[edge], [&](Index p) { return built.vertex_of_point[p] == none; });
+}
 
 Features find_features(const Mesh& input, const Built& built, const std::vector<EdgeUse>& uses_of_edges,
                        const std::vector<std::uint8_t>& required, const RidgeTest& ridges) {

@@ -29,6 +29,10 @@ struct Features {
   std::vector<Feature> inner;    ///< edges of the input that are on no triangle
 };
 
+/// Whether both vertices of an edge of the input belong to tetrahedra. Others are no part of the mesh, as points of no
+/// tetrahedron are none: meshers save the edges of curves that they did not use.
+[[nodiscard]] bool is_in_volume(const Mesh& input, const Built& built, std::size_t edge);
+
 /// Calls visit(s, t) with the uses of each edge that is not among `features`, which are ascending and hold every edge
 /// at which not two triangles meet.
 template <class Visit>
@@ -50,8 +54,8 @@ struct RidgeTest {
 
 /// Feature edges are: edges of the input; edges where other than two triangles meet, or two of different reference;
 /// ridges; edges between required triangles (`required` is not 0) and others. Edges of the input that part nothing of a
-/// curved patch, as seams do, are none unless they are marked as ridges or required. Throws InputError for an edge of
-/// the input at a point of no tetrahedron.
+/// curved patch, as seams do, are none unless they are marked as ridges or required. Edges of the input at a
+/// point of no tetrahedron are passed over; throws InputError if they are required.
 [[nodiscard]] Features find_features(const Mesh& input, const Built& built, const std::vector<EdgeUse>& uses,
                                      const std::vector<std::uint8_t>& required, const RidgeTest& ridges);
 

@@ -160,7 +160,8 @@ std::vector<CornerMatch> match_corners(const ReferenceSurface& surface, const Bu
     const Vec3& x = surface.facets().points[corner.vertex];
     const bool may_miss = !corner.curves.empty() && std::ranges::none_of(corner.curves, is_needed);
     const double share = may_miss ? near_curve : farthest_share;
-    VertexId v = nearest_vertex(mesh, on_curves, x, share);
+    // An apex lies on no curve: near it may be vertices of curves that are none of its own.
+    VertexId v = corner.curves.empty() ? VertexId{none} : nearest_vertex(mesh, on_curves, x, share);
     if (v == none) v = nearest_vertex(mesh, on_surface, x, share);
     const bool is_missing = v == none || is_taken[v] != 0;
     if (is_missing && may_miss) continue;

@@ -53,8 +53,8 @@ std::vector<GivenEdge> given_edges_of(const Mesh& mesh, std::span<const VertexId
     const auto [a, b] = std::minmax({vertex_of_point[mesh.edges[e][0]], vertex_of_point[mesh.edges[e][1]]});
     edges.push_back({{a, b}, mesh.edge_refs.empty() ? 0 : mesh.edge_refs[e]});
   }
-  for (const auto* marks : {&mesh.ridges, &mesh.required_edges})
-    for (const Index e : *marks) edges[e].sharp = true;
+  // A required edge is kept as an edge, which says nothing of the surface there.
+  for (const Index e : mesh.ridges) edges[e].sharp = true;
   // A sharp one comes first, and of several equal ones the first stays.
   std::stable_sort(edges.begin(), edges.end(), [](const GivenEdge& a, const GivenEdge& b) {
     return a.edge != b.edge ? a.edge < b.edge : a.sharp && !b.sharp;

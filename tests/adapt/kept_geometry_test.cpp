@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "adapt/checks.hpp"
+#include "adapt/fields.hpp"
+#include "surface/surfaces.hpp"
 #include "taut/geometry.hpp"
 #include "taut/quality.hpp"
 
@@ -222,6 +224,21 @@ TEST(KeptGeometry, InterfacesLieOnIt) {
     EXPECT_LT(farthest_from(geometry, mesh), rounding);
   }
   EXPECT_NEAR(volume_of(mesh), 1, 1e-9);
+}
+
+TEST(KeptGeometry, AnApexIsNotTakenForACornerNearby) {
+  Mesh in = cone(5, 1);
+  const auto centre = static_cast<Index>(in.points.size());
+  in.points.insert(in.points.end(), {{0, 0, 0}, {0, 0, 1.2}, {3, 0, 4}, {-1.5, 2.6, 4}, {-1.5, -2.6, 4}});
+  for (const auto& [a, b, c] : in.triangles) in.tetrahedra.push_back({centre, a, b, c});
+  in.tetrahedra.push_back({centre + 1, centre + 2, centre + 3, centre + 4});
+  in.triangles.clear();
+  add_triangles(in);
+  in.triangle_refs.clear();
+  const AdaptResult result = adapt(in, uniform(0.3), {.geometry = Geometry(in), .max_rounds = 4});
+  expect_valid(result, in);
+  for (const Index p : {Index{0}, centre + 1}) EXPECT_EQ(std::ranges::count(result.mesh.points, in.points[p]), 1);
+  EXPECT_EQ(result.report.off_surface, 0);
 }
 
 TEST(KeptGeometry, AMeshThatDoesNotMatch) {

@@ -236,6 +236,18 @@ TEST(Adapt, MendsWhatItCanAndSaysSo) {
   test::expect_same_sums(test::volumes(result.mesh), test::volumes(sound), "region");
 }
 
+TEST(Adapt, DropsEdgesThatBelongToNoTetrahedron) {
+  Mesh mesh = test::cube(4);
+  const auto stray = static_cast<Index>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), {{2, 0, 0}, {3, 0, 0}});
+  mesh.edges = {{stray, stray + 1}, {0, stray}};
+  mesh.ridges = {0};
+  const auto result = adapt(mesh, test::uniform(0.3));
+  EXPECT_EQ(result.report.edges_dropped, 2);
+  EXPECT_EQ(defects(result.mesh), std::vector<std::string>{});
+  EXPECT_EQ(result.new_of_old[stray], AdaptResult::gone);
+}
+
 // Next to large triangles that stay no mesh is unit: insertion and collapse, repair and relocation undo each other.
 TEST(Rounds, EndWhenTheyGoInCircles) {
   const Mesh mesh = test::cube(4);

@@ -153,10 +153,20 @@ TEST(Marks, AnEdgeThatIsNotInTheMeshIsRefused) {
     EXPECT_NE(message.find("is not an edge of any tetrahedron"), std::string::npos) << message;
     EXPECT_NE(message.find("125"), std::string::npos) << message;
   }
-  mesh = cube(4);
-  mesh.points.push_back({9, 9, 9});
-  mesh.edges = {{0, 125}};
-  expect_refused(mesh, "edge 1 (1 126): vertex 126 belongs to no tetrahedron");
+}
+
+TEST(Marks, AnEdgeAtAPointOfNoTetrahedronIsPassedOverUnlessItIsRequired) {
+  Mesh mesh = cube(4);
+  mesh.points.insert(mesh.points.end(), {{9, 9, 9}, {9, 9, 8}});
+  mesh.edges = {{0, 125}, {126, 125}, {at(0, 0, 0), at(0, 0, 1)}};
+  mesh.edge_refs = {5, 6, 7};
+  mesh.ridges = {0, 1, 2};
+  const Classified c(mesh);
+  EXPECT_EQ(c.count(), (test::Count{6, 13, 9})) << "the third edge has a reference of its own";
+  EXPECT_EQ(c.line(at(0, 0, 0), at(0, 0, 1))->ref, 7);
+  EXPECT_EQ(Classified(mesh, Surface::adapt, std::nullopt).count(), c.count());
+  mesh.required_edges = {0};
+  expect_refused(mesh, "edge 1 (1 126) is required, but vertex 126 belongs to no tetrahedron");
 }
 
 TEST(Marks, RequiredTrianglesAreAFrozenPatch) {

@@ -48,6 +48,21 @@ TEST(Geometry, MayTakeRidgesByAngle) {
   EXPECT_EQ(Geometry(mesh, {.ridge_angle = 60}).ridges(), 0U);
 }
 
+TEST(Geometry, ARequiredEdgePartsNoSmoothSurface) {
+  const Mesh plain = test::tube(48, 24);
+  Mesh mesh = plain;
+  mesh.edges = {{plain.triangles[40][0], plain.triangles[40][1]}, {plain.triangles[200][1], plain.triangles[200][2]}};
+  mesh.required_edges = {0, 1};
+  const Geometry geometry(mesh);
+  EXPECT_EQ(geometry.patches(), 1);
+  EXPECT_EQ(geometry.ridges(), 0);
+  EXPECT_EQ(geometry.corners(), 0);
+  const Point& p = plain.points[plain.triangles[40][0]];
+  EXPECT_EQ(geometry.closest(1.01 * p).point, Geometry(plain).closest(1.01 * p).point);
+  mesh.ridges = {0};
+  EXPECT_EQ(Geometry(mesh).ridges(), 1);
+}
+
 TEST(Geometry, IsSharedByItsCopies) {
   std::optional<Geometry> first(test::sphere(6, 1));
   const Geometry second = *first;
