@@ -78,7 +78,7 @@ Outcome SurfaceCavity::rejoin(const TetMesh& mesh, const Model& model, const Ape
   }
   for (int i = 0; i < end_size_; ++i)
     if (ends_[i].open && (!ends_[i].used || ends_[i].v == gone)) return Outcome::geometry;
-  return model.surface == nullptr || fits(mesh, model, apex) ? Outcome::accepted : Outcome::surface;
+  return !model.surface.exists() || fits(mesh, model, apex) ? Outcome::accepted : Outcome::surface;
 }
 
 // What is not fair must at least be no worse than the worst before.

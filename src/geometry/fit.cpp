@@ -43,10 +43,10 @@ double misfit(const Model& model, PatchId patch, const std::array<Vec3, 3>& tria
   const Curved* const curved = model.patches[patch].curved();
   if (curved == nullptr) return 0;
   const Vec3 centre = (1.0 / 3) * (triangle[0] + triangle[1] + triangle[2]);
-  const OnPatch at = model.surface->closest_on(curved->patch, centre);
+  const OnPatch at = model.surface.closest_on(*curved, centre);
   const double cosine = alignment(*curved, triangle, at.normal);
   if (!(cosine > 0)) return std::numeric_limits<double>::infinity();
-  const Extent extent = extent_of(triangle, model.surface->shape_operator(at));
+  const Extent extent = extent_of(triangle, model.surface.shape_operator(*curved, at));
   const double fair_angle = std::clamp(extent.turn, flattest, steepest);
   const double fair_sag = std::min(std::max(sags * extent.sag, least_sag * extent.length), model.deviation);
   return std::max({std::acos(std::min(cosine, 1.0)) / fair_angle, at.distance / fair_sag, extent.turn / most_turned});

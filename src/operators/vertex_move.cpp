@@ -34,7 +34,7 @@ Outcome VertexMove::gather() {
     if (fresh != none && k_.neighbours.add(mesh_, fresh) < 0) return Outcome::too_large;
     k_.batch.push(mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]);
   }
-  if (k_.model.surface != nullptr && !tag_.is_in_volume()) gather_facets();
+  if (k_.model.surface.exists() && !tag_.is_in_volume()) gather_facets();
   lengths_ = k_.neighbours.lengths(old_);
   for (double l : lengths_) {
     not_unit_ |= !is_unit(l);

@@ -69,7 +69,7 @@ TEST(ClassifyCurved, WhatIsPlanarOrStraightStaysSo) {
   EXPECT_EQ(count_planes(c.model), 5);
   EXPECT_EQ(count_bent(c.model), 2) << "the two lines of the vault that follow a sine";
   EXPECT_EQ(c.frozen_patches(), 0);
-  EXPECT_EQ(curved(test::cube(4)).model.surface, nullptr) << "a polyhedron needs no reference";
+  EXPECT_FALSE(curved(test::cube(4)).model.surface.exists()) << "a polyhedron needs no reference";
 }
 
 TEST(ClassifyCurved, NormalsAndProjectionsAreThoseOfTheSphere) {
@@ -140,7 +140,8 @@ TEST(Misfit, AcrossACylinderIsAboveOne) {
   // The more of the angle lies across the short edge, the steeper the triangle stands, as in Schwarz's lantern.
   EXPECT_GT(misfit(c.model, patch, {at(0, 0.5), at(30, 0.5), at(15, 0.502)}), 1);
   const auto cap = std::ranges::find_if(c.model.patches, [](const Patch& p) { return p.curved() == nullptr; });
-  EXPECT_EQ(misfit(c.model, static_cast<PatchId>(cap - c.model.patches.begin()), {at(0, 0), at(1, 0), at(2, 9)}), 0);
+  EXPECT_EQ(
+      misfit(c.model, static_cast<PatchId>(cap - c.model.patches.begin()), {at(0, 0), at(1, 0), at(2, 9)}), 0);
 }
 
 }  // namespace
