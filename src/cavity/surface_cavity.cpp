@@ -85,12 +85,12 @@ Outcome SurfaceCavity::rejoin(const TetMesh& mesh, const Model& model, const Ape
 bool SurfaceCavity::fits(const TetMesh& mesh, const Model& model, const Apex& apex) const {
   double worst = 0;
   for (const Border& b : std::span(border_.data(), static_cast<std::size_t>(border_size_)))
-    worst = std::max(worst, misfit(model, b.patch, {apex.vertex.x, mesh.x(b.a), mesh.x(b.b)}));
+    worst = std::max(worst, misfit(model, b.patch, {apex.vertex.x, mesh.x(b.a), mesh.x(b.b)}, apex.vertex.m));
   if (worst <= 1) return true;
   double old = 0;
   for (const TriangleId t : removed()) {
     const auto& [a, b, c] = mesh.triangles[t].v;
-    old = std::max(old, misfit(model, mesh.triangles[t].patch, {mesh.x(a), mesh.x(b), mesh.x(c)}));
+    old = std::max(old, misfit(model, mesh.triangles[t].patch, {mesh.x(a), mesh.x(b), mesh.x(c)}, apex.vertex.m));
   }
   return worst <= old && worst < std::numeric_limits<double>::infinity();
 }

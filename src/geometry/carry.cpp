@@ -19,6 +19,7 @@ std::vector<std::uint32_t> motions_of_patches(const Model& model, const TetMesh&
         motion = std::uint32_t{none};
   }
   std::vector<std::uint32_t> motions;
+  motions.reserve(common.size());
   for (const auto& motion : common) motions.push_back(motion.value_or(std::uint32_t{none}));
   return motions;
 }

@@ -12,7 +12,8 @@ namespace taut {
 ///
 /// Compared are the angle between the triangle and the surface above its centre with the angle by which the surface
 /// turns along an edge, which itself is compared with a radian; and the distance there with 2.5 times that of an edge's
-/// chord, and with the model's deviation.
-[[nodiscard]] double misfit(const Model& model, PatchId patch, const std::array<Vec3, 3>& triangle);
+/// chord, and with the model's deviation. Where there may be contacts, no more of a chord's distance counts than that
+/// of an edge that `metric` would not split.
+[[nodiscard]] double misfit(const Model& model, PatchId patch, const std::array<Vec3, 3>& triangle, const Sym3& metric);
 
 }  // namespace taut

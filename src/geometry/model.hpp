@@ -82,6 +82,7 @@ public:
   bool has_frozen_region = false;
   PlacedSurface surface;                                       ///< there is none unless a patch is curved
   double deviation = std::numeric_limits<double>::infinity();  ///< allowed between triangles and curved patches
+  bool has_contacts = false;      ///< bodies may be driven against surfaces, which must not become flat there
   bool surface_is_given = false;  ///< made from another mesh: vertices may be off it at first
 
   /// A corner of those of its patches and lines that may change.

@@ -20,6 +20,7 @@ Session session_for(const Mesh& mesh, const Metric& metric, const AdaptOptions& 
   Session session = set_up(mesh, metric, options, report);
   if (options.max_rounds > 0)
     run_rounds(session, {.most = options.max_rounds, .block_size = options.block_size}, options.progress, report);
+  session.model.has_contacts = true;
   return session;
 }
 

@@ -59,7 +59,7 @@ void VertexMove::gather_facets() {
 double VertexMove::worst_misfit(const Vec3& x) const {
   double worst = 0;
   for (const auto& [patch, b, c] : facets_)
-    worst = std::max(worst, misfit(k_.model, patch, {x, mesh_.x(b), mesh_.x(c)}));
+    worst = std::max(worst, misfit(k_.model, patch, {x, mesh_.x(b), mesh_.x(c)}, old_.m));
   return worst;
 }
 

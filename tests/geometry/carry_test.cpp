@@ -85,7 +85,7 @@ TEST_F(CarriedCylinder, IsFittedInItsFrame) {
   for (const Triangle& t : c_.built.mesh.triangles) {
     const auto fit_in = [&](const test::Classified& c) {
       const TetMesh& m = c.built.mesh;
-      return misfit(c.model, t.patch, {m.x(t.v[0]), m.x(t.v[1]), m.x(t.v[2])});
+      return misfit(c.model, t.patch, {m.x(t.v[0]), m.x(t.v[1]), m.x(t.v[2])}, identity3);
     };
     EXPECT_NEAR(fit_in(c_), fit_in(before), rounding);
   }

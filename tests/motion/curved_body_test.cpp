@@ -204,6 +204,23 @@ TEST(CurvedBodies, AreFrozenIfTheirPartsMoveDifferently) {
   EXPECT_EQ(defects(mesh.mesh()), std::vector<std::string>{});
 }
 
+/// A body that became flat where it meets the wall would pass into it.
+TEST(CurvedBodies, StopAtAWall) {
+  constexpr double radius = 0.18, size = 0.05;
+  const Mesh start = room_with_ellipsoid({radius, radius, radius});
+  MovingMesh mesh(start, Sizes(start.points.size(), size), adapting(MeshChanges::all));
+  double way = 0;
+  Advance done;
+  for (int i = 0; i < 40 && !done.obstacle; ++i) {
+    done = mesh.advance(std::array{BodyMotion{body, RigidMotion::translation({0.02, 0, 0})}});
+    way += 0.02 * done.share;
+  }
+  ASSERT_TRUE(done.obstacle);
+  EXPECT_EQ(done.obstacle->reason, Obstacle::Reason::contact);
+  EXPECT_NEAR(way, 0.5 - radius, size / 4);
+  EXPECT_EQ(defects(mesh.mesh()), std::vector<std::string>{});
+}
+
 std::uint64_t hash_on(int threads) {
   const Mesh start = room_with_ellipsoid(axes);
   MotionOptions options = adapting(MeshChanges::all);
