@@ -123,7 +123,7 @@ void add_options(CLI::App& command, MoveJob& job) {
   add_motion_rules(command, job.options);
   add_method(command, "--transfer", job.options.transfer);
   add_limits(command, job.limits);
-  add_surface(command, job.options.adaptation.surface, "remesh planar patches");
+  add_surface(command, job.options.adaptation.surface, "remesh patches, those of bodies as they move");
   add_ridge_angle(command, job.options.adaptation.ridge_angle);
   add_threads(command, job.threads);
   command.footer(move_help);

@@ -141,6 +141,7 @@ int main(int argc, char** argv) {
   const bool has_layer = run == "layer";
   const std::filesystem::path folder = argv[3];
   taut::MotionOptions options;
+  options.adaptation.surface = taut::Surface::planar;  // each vertex of the spheres can be checked
   options.adaptation.max_rounds = 40;
   taut::MovingMesh moving(taut::read_mesh(argv[1]), metric({}, has_layer), options);
 

@@ -45,8 +45,8 @@ struct Ball {
 constexpr std::array<Ball, 2> balls = {
     {{2, 0.5, 0.12, {0, 0, 0}, {0, 4, -8.5}}, {3, 0.3, 0.08, {0, 4, 0}, {0, 0, -5.5}}}};
 
-/// Eq. (5) of the paper, turned and moved. The triangles of the spheres stay as they are, so near them no size can be
-/// far from theirs: none is larger than an edge, nor smaller than half of it.
+/// Eq. (5) of the paper, turned and moved. Near the spheres no size is larger than an edge of theirs, nor smaller than
+/// half of it, so that the layer does not refine them.
 taut::Tensor metric_at(const taut::Point& p, double time) {
   constexpr double growth = 0.5;
   double along = coarsest;

@@ -64,13 +64,14 @@ void Session::measure_qualities() {
 }
 
 void Session::refresh(std::span<const VertexId> moved) {
-  refresh(moved, moved);
+  refresh(moved, {}, moved);
 }
 
-void Session::refresh(std::span<const VertexId> moved, std::span<const VertexId> in_another_target) {
+void Session::refresh(std::span<const VertexId> moved, const RigidMoves& rigid,
+                      std::span<const VertexId> in_another_target) {
   std::vector<std::uint8_t> has_moved(mesh.vertices.size(), 0);
   for (VertexId v : moved) has_moved[v] = 1;
-  refit(model, mesh, has_moved);
+  refit(model, mesh, has_moved, rigid);
   for_each_index(in_another_target.size(), [&](std::size_t i) {
     const VertexId v = in_another_target[i];
     mesh.vertices[v].m = target->at(mesh.x(v), mesh.host_of_vertex[v]);

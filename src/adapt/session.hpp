@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/carry.hpp"
 #include "geometry/model.hpp"
 #include "locate/background.hpp"
 #include "mesh/tet_mesh.hpp"
@@ -30,8 +31,8 @@ struct Session {
   /// valid.
   void refresh(std::span<const VertexId> moved);
 
-  /// The same where the target has changed for more vertices than have moved.
-  void refresh(std::span<const VertexId> moved, std::span<const VertexId> in_another_target);
+  /// The same where some have moved rigidly, and the target has changed for more vertices than have moved.
+  void refresh(std::span<const VertexId> moved, const RigidMoves& rigid, std::span<const VertexId> in_another_target);
 
   /// The same where only metrics have changed.
   void refresh_metrics(std::span<const VertexId> changed);

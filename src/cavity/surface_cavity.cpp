@@ -78,7 +78,7 @@ Outcome SurfaceCavity::rejoin(const TetMesh& mesh, const Model& model, const Ape
   }
   for (int i = 0; i < end_size_; ++i)
     if (ends_[i].open && (!ends_[i].used || ends_[i].v == gone)) return Outcome::geometry;
-  return model.surface == nullptr || fits(mesh, model, apex) ? Outcome::accepted : Outcome::surface;
+  return !model.surface.exists() || fits(mesh, model, apex) ? Outcome::accepted : Outcome::surface;
 }
 
 // What is not fair must at least be no worse than the worst before.
@@ -86,12 +86,12 @@ bool SurfaceCavity::fits(const TetMesh& mesh, const Model& model, const Apex& ap
   double worst = 0;
   SeatId near = apex.tag.is_on_patch() ? apex.seat : SeatId{none};
   for (const Border& b : std::span(border_.data(), static_cast<std::size_t>(border_size_)))
-    worst = std::max(worst, misfit(model, b.patch, {apex.vertex.x, mesh.x(b.a), mesh.x(b.b)}, near));
+    worst = std::max(worst, misfit(model, b.patch, {apex.vertex.x, mesh.x(b.a), mesh.x(b.b)}, apex.vertex.m, near));
   if (worst <= 1) return true;
   double old = 0;
   for (const TriangleId t : removed()) {
     const auto& [a, b, c] = mesh.triangles[t].v;
-    old = std::max(old, misfit(model, mesh.triangles[t].patch, {mesh.x(a), mesh.x(b), mesh.x(c)}, near));
+    old = std::max(old, misfit(model, mesh.triangles[t].patch, {mesh.x(a), mesh.x(b), mesh.x(c)}, apex.vertex.m, near));
   }
   return worst <= old && worst < std::numeric_limits<double>::infinity();
 }

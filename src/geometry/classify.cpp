@@ -36,7 +36,7 @@ void fix_corners_of(const Reference& reference, std::vector<std::uint8_t>& fixed
 // Patches that are neither planar nor required become parts of those of the reference; so do planar ones that are not
 // in the reference's plane.
 void bend_patches(const Reference& reference, const TetMesh& mesh, Model& model) {
-  model.surface = reference.surface();
+  model.surface = PlacedSurface(reference.surface());
   std::vector<std::uint8_t> bends(model.patches.size(), 0);
   std::vector<double> sense(model.patches.size(), 0);  // that of most triangles
   for (const TriangleId t : mesh.triangle_ids()) {
@@ -48,7 +48,9 @@ void bend_patches(const Reference& reference, const TetMesh& mesh, Model& model)
     const Triangle& triangle = mesh.triangles[t];
     Patch& patch = model.patches[triangle.patch];
     if (patch.required || bends[triangle.patch] == 0 || reference.patch_of(t) == none) continue;
-    patch.shape = Curved{reference.patch_of(t), sense[triangle.patch] < 0 ? -1.0 : 1.0, triangle.side[1] != outside};
+    patch.shape = Curved{.patch = reference.patch_of(t),
+                         .sign = sense[triangle.patch] < 0 ? -1.0 : 1.0,
+                         .two_sided = triangle.side[1] != outside};
   }
 }
 

@@ -12,12 +12,15 @@ namespace taut {
 ///
 /// Compared are the angle between the triangle and the surface above its centre with the angle by which the surface
 /// turns along an edge, which itself is compared with a radian; and the distance there with 2.5 times that of an edge's
-/// chord, and with the model's deviation. `near` is a guess at the triangle of the reference surface, and afterwards
-/// the one that was found.
-[[nodiscard]] double misfit(const Model& model, PatchId patch, const std::array<Vec3, 3>& triangle, SeatId& near);
-[[nodiscard]] inline double misfit(const Model& model, PatchId patch, const std::array<Vec3, 3>& triangle) {
+/// chord, and with the model's deviation. Where there may be contacts, no more of a chord's distance counts than that
+/// of an edge that `metric` would not split. `near` is a guess at the seat of the centre, and then the one that was
+/// found.
+[[nodiscard]] double misfit(const Model& model, PatchId patch, const std::array<Vec3, 3>& triangle, const Sym3& metric,
+                            SeatId& near);
+[[nodiscard]] inline double misfit(const Model& model, PatchId patch, const std::array<Vec3, 3>& triangle,
+                                   const Sym3& metric) {
   SeatId near = none;
-  return misfit(model, patch, triangle, near);
+  return misfit(model, patch, triangle, metric, near);
 }
 
 }  // namespace taut

@@ -80,7 +80,7 @@ Lines find_lines(const TetMesh& mesh, const FeatureGraph& graph) {
     const VertexId end = follow(graph, first, f.edge[1], line, found.line_of_feature);
     Line made{f.ref, stays(mesh, f), f.sharp, f.required, f.implicit, {}, graph.patches_of(first)};
     if (const LineId curve = graph.bent_along(first); curve != none)
-      made.shape = Bent{curve};
+      made.shape = Bent{.curve = curve};
     else
       made.shape = straight_through(mesh.x(begin), mesh.x(end));
     found.lines.push_back(std::move(made));

@@ -14,32 +14,24 @@ bool contains(const std::vector<Id>& ids, Id id) {
 }
 
 struct Projection {
-  const ReferenceSurface* surface;
+  const PlacedSurface& surface;
   const Vec3& x;
   SeatId& seat;
   Vec3 operator()(const Frozen&) const { return x; }
   Vec3 operator()(const Plane& plane) const { return x - (dot(plane.normal, x) - plane.offset) * plane.normal; }
-  Vec3 operator()(const Curved& curved) const {
-    const OnPatch at = surface->closest_on(curved.patch, x, static_cast<TriangleId>(seat));
-    seat = static_cast<SeatId>(at.triangle);
-    return at.point;
-  }
+  Vec3 operator()(const Curved& curved) const { return surface.closest_on(curved, x, seat).point; }
   Vec3 operator()(const Straight& line) const {
     return line.origin + dot(x - line.origin, line.direction) * line.direction;
   }
-  Vec3 operator()(const Bent& line) const {
-    const OnCurve at = surface->closest_on(line.curve, x, seat);
-    seat = static_cast<SeatId>(at.segment);
-    return at.point;
-  }
+  Vec3 operator()(const Bent& line) const { return surface.closest_on(line, x, seat).point; }
 };
 
 struct Normal {
-  const ReferenceSurface* surface;
+  const PlacedSurface& surface;
   const Vec3& x;
   Vec3 operator()(const Frozen&) const { return {}; }
   Vec3 operator()(const Plane& plane) const { return plane.normal; }
-  Vec3 operator()(const Curved& curved) const { return curved.sign * surface->closest_on(curved.patch, x).normal; }
+  Vec3 operator()(const Curved& curved) const { return curved.sign * surface.closest_on(curved, x).normal; }
 };
 
 }  // namespace
@@ -66,13 +58,13 @@ bool Model::on_line(Tag tag, LineId line) const {
 }
 
 Vec3 Model::project(Tag tag, const Vec3& x, SeatId& seat) const {
-  if (tag.is_on_patch()) return std::visit(Projection{surface.get(), x, seat}, patches[tag.patch()].shape);
-  if (tag.is_on_line()) return std::visit(Projection{surface.get(), x, seat}, lines[tag.line()].shape);
+  if (tag.is_on_patch()) return std::visit(Projection{surface, x, seat}, patches[tag.patch()].shape);
+  if (tag.is_on_line()) return std::visit(Projection{surface, x, seat}, lines[tag.line()].shape);
   return tag.is_at_corner() ? corners[tag.corner()].place.value_or(x) : x;
 }
 
 Vec3 Model::normal(Tag tag, const Vec3& x) const {
-  return tag.is_on_patch() ? std::visit(Normal{surface.get(), x}, patches[tag.patch()].shape) : Vec3{};
+  return tag.is_on_patch() ? std::visit(Normal{surface, x}, patches[tag.patch()].shape) : Vec3{};
 }
 
 }  // namespace taut

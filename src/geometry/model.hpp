@@ -4,14 +4,13 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
 
 #include "base/ids.hpp"
 #include "base/vec3.hpp"
-#include "surface/reference_surface.hpp"
+#include "geometry/placed_surface.hpp"
 
 namespace taut {
 
@@ -22,13 +21,6 @@ struct Frozen {};
 struct Plane {
   Vec3 normal{};  ///< of unit length
   double offset = 0;
-};
-
-/// A patch of the reference surface. Its normals have the sense of the patch's triangles times `sign`.
-struct Curved {
-  PatchId patch;
-  double sign = 1;
-  bool two_sided = false;  ///< an interface, whose triangles may have either sense
 };
 
 /// A connected set of triangles of one reference between feature lines.
@@ -43,11 +35,6 @@ struct Patch {
 
 struct Straight {
   Vec3 origin{}, direction{};
-};
-
-/// A curve of the reference surface, or a part of one.
-struct Bent {
-  LineId curve;
 };
 
 /// A smooth chain of feature edges between two corners, or a closed one.
@@ -93,8 +80,9 @@ public:
   std::vector<Region> regions;
   std::vector<InnerEdge> inner_edges;
   bool has_frozen_region = false;
-  std::shared_ptr<const ReferenceSurface> surface;             ///< null unless a patch is curved
+  PlacedSurface surface;                                       ///< there is none unless a patch is curved
   double deviation = std::numeric_limits<double>::infinity();  ///< allowed between triangles and curved patches
+  bool has_contacts = false;      ///< bodies may be driven against surfaces, which must not become flat there
   bool surface_is_given = false;  ///< made from another mesh: vertices may be off it at first
 
   /// A corner of those of its patches and lines that may change.

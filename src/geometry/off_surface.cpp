@@ -18,7 +18,7 @@ double distance_off(const Model& model, Tag tag, const Vec3& x) {
   if (!tag.is_at_corner() || model.corners[tag.corner()].place) return distance;
   for (const PatchId p : model.corners[tag.corner()].patches)
     if (const Curved* curved = model.patches[p].curved(); curved != nullptr)
-      distance = std::max(distance, model.surface->closest_on(curved->patch, x).distance);
+      distance = std::max(distance, model.surface.closest_on(*curved, x).distance);
   return distance;
 }
 
@@ -49,7 +49,7 @@ std::vector<double> longest_edges(const TetMesh& mesh) {
 
 std::vector<VertexId> vertices_off_surface(const TetMesh& mesh, const Model& model) {
   if (!model.surface_is_given) return {};
-  const double tolerance = flatness_tolerance(model.surface->facets());
+  const double tolerance = flatness_tolerance(model.surface.facets());
   const std::vector<double> distances = distances_off(mesh, model);
   std::vector<VertexId> off;
   for (const VertexId v : mesh.vertex_ids())

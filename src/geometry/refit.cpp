@@ -13,7 +13,7 @@ namespace {
 
 using Marks = std::vector<std::uint8_t>;
 
-// Whether a vertex of each patch, or of each line, has moved.
+// Whether a vertex of each patch, or of each line, has moved; but for those that were carried along.
 struct Touched {
   Marks patch, line;
 };
@@ -26,13 +26,17 @@ void for_each_line_edge(const TetMesh& mesh, Visit visit) {
       if (t.line[k] != none) visit(t.line[k], std::array{t.v[(k + 1) % 3], t.v[(k + 2) % 3]});
 }
 
-Touched touched_by(const Model& model, const TetMesh& mesh, const Marks& has_moved) {
+Touched touched_otherwise(const Model& model, const TetMesh& mesh, const Marks& has_moved, const Carried& carried) {
   Touched touched{Marks(model.patches.size(), 0), Marks(model.lines.size(), 0)};
   for (const Triangle& t : mesh.triangles)
     for (VertexId v : t.v) touched.patch[t.patch] |= has_moved[v];
   for_each_line_edge(mesh, [&](LineId line, const std::array<VertexId, 2>& edge) {
     for (VertexId v : edge) touched.line[line] |= has_moved[v];
   });
+  for (std::size_t p = 0; p < touched.patch.size(); ++p)
+    if (carried.patch[p] != 0) touched.patch[p] = 0;
+  for (std::size_t l = 0; l < touched.line.size(); ++l)
+    if (carried.line[l] != 0) touched.line[l] = 0;
   return touched;
 }
 
@@ -58,7 +62,7 @@ std::vector<Line> fitted_lines(const TetMesh& mesh, std::vector<Line> lines, con
 }
 
 // Whether one is found that is not straight any more, or that has left its curve.
-bool freeze_bent_lines(Model& model, const TetMesh& mesh, const Marks& touched, double tolerance) {
+bool freeze_lines(Model& model, const TetMesh& mesh, const Marks& touched, double tolerance) {
   bool froze = false;
   for_each_line_edge(mesh, [&](LineId id, const std::array<VertexId, 2>& edge) {
     Line& line = model.lines[id];
@@ -122,12 +126,12 @@ void fix_vertices(Model& model, TetMesh& mesh) {
 
 }  // namespace
 
-void refit(Model& model, TetMesh& mesh, const Marks& has_moved) {
-  const Touched touched = touched_by(model, mesh, has_moved);
+void refit(Model& model, TetMesh& mesh, const Marks& has_moved, const RigidMoves& rigid) {
+  const Touched touched = touched_otherwise(model, mesh, has_moved, carry(model, mesh, rigid));
   const double tolerance = flatness_tolerance(mesh);
   bool froze = refit_patches(model, mesh, touched.patch, tolerance);
   model.lines = fitted_lines(mesh, std::move(model.lines), touched.line);
-  froze |= freeze_bent_lines(model, mesh, touched.line, tolerance);
+  froze |= freeze_lines(model, mesh, touched.line, tolerance);
   if (froze) fix_vertices(model, mesh);
 }
 

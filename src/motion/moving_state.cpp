@@ -10,6 +10,7 @@
 #include "base/stopwatch.hpp"
 #include "motion/numbering.hpp"
 #include "motion/obstacle.hpp"
+#include "motion/rigid_moves.hpp"
 
 namespace taut {
 namespace {
@@ -19,6 +20,7 @@ Session session_for(const Mesh& mesh, const Metric& metric, const AdaptOptions& 
   Session session = set_up(mesh, metric, options, report);
   if (options.max_rounds > 0)
     run_rounds(session, {.most = options.max_rounds, .block_size = options.block_size}, options.progress, report);
+  session.model.has_contacts = true;
   return session;
 }
 
@@ -99,7 +101,9 @@ bool MovingState::do_part(const Goal& goal, std::span<const int> bodies, Advance
   }
   const bool metric_moved = move_metric(goal, bodies, reach.share);
   const auto moved = move_to(reach.places);
-  refresh(moved, metric_moved ? all_vertices(session_.mesh) : moved);
+  const auto in_another_target = metric_moved ? all_vertices(session_.mesh) : moved;
+  session_.refresh(moved, rigid_moves(boundary, goal, reach.share), in_another_target);
+  take_metrics(in_another_target);
   add_seconds(done, "move", move_watch.seconds());
   done.share += reach.share;
   // Points that the caller moves keep their numbers until they have arrived.
@@ -132,11 +136,6 @@ bool MovingState::move_metric(const Goal& goal, std::span<const int> bodies, dou
   metric_placement_ = goal.motions[static_cast<std::size_t>(body - bodies.begin())].share(share) * metric_placement_;
   session_.target->place(metric_placement_);
   return true;
-}
-
-void MovingState::refresh(std::span<const VertexId> moved, std::span<const VertexId> in_another_target) {
-  session_.refresh(moved, in_another_target);
-  take_metrics(in_another_target);
 }
 
 void MovingState::take_metrics(std::span<const VertexId> changed) {

@@ -32,7 +32,6 @@ private:
   [[nodiscard]] bool do_part(const Goal& goal, std::span<const int> bodies, Advance& done);
   [[nodiscard]] std::vector<VertexId> move_to(const std::vector<Vec3>& places);
   [[nodiscard]] bool move_metric(const Goal& goal, std::span<const int> bodies, double share);
-  void refresh(std::span<const VertexId> moved, std::span<const VertexId> in_another_target);
   void take_metrics(std::span<const VertexId> changed);
   void optimise(bool vertices_may_change, Advance& done);
   void renew_mesh(Advance& done);

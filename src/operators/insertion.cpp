@@ -118,7 +118,7 @@ private:
   // takes in the tetrahedra beyond all faces that do not see the vertex, and the vertices in the volume that it comes
   // to enclose go.
   Outcome make_room() {
-    if (apex_.tag.is_in_volume() || k_.model.surface == nullptr) return Outcome::inverted;
+    if (apex_.tag.is_in_volume() || !k_.model.surface.exists()) return Outcome::inverted;
     Cavity& cavity = k_.cavity;
     collect_core();
     for (int growth = 0; growth < most_growths; ++growth) {

@@ -39,7 +39,7 @@ Outcome VertexMove::gather() {
     if (fresh != none && k_.neighbours.add(mesh_, fresh) < 0) return Outcome::too_large;
     k_.batch.push(mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]);
   }
-  if (k_.model.surface != nullptr && !tag_.is_in_volume()) gather_facets();
+  if (k_.model.surface.exists() && !tag_.is_in_volume()) gather_facets();
   lengths_ = k_.neighbours.lengths(old_);
   for (double l : lengths_) {
     not_unit_ |= !is_unit(l);
@@ -65,7 +65,7 @@ double VertexMove::worst_misfit(const Vec3& x, SeatId near) const {
   double worst = 0;
   if (!tag_.is_on_patch()) near = none;
   for (const auto& [patch, b, c] : facets_)
-    worst = std::max(worst, misfit(k_.model, patch, {x, mesh_.x(b), mesh_.x(c)}, near));
+    worst = std::max(worst, misfit(k_.model, patch, {x, mesh_.x(b), mesh_.x(c)}, old_.m, near));
   return worst;
 }
 

@@ -17,11 +17,11 @@ Target::Target(const Background& background, const std::vector<Sym3>& metrics)
 }
 
 void Target::place(const RigidMotion& placement) {
-  placement_ = Placement{placement, placement.inverse()};
+  placement_ = Placement(placement);
 }
 
 Sym3 Target::at(const Vec3& x, CellId& host) const {
-  return placement_ ? placement_->there.rotated(at_home(placement_->back(x), host)) : at_home(x, host);
+  return placement_.turned(at_home(placement_.back(x), host));
 }
 
 Sym3 Target::at_home(const Vec3& x, CellId& host) const {

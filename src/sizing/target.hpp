@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/ids.hpp"
+#include "base/placement.hpp"
 #include "base/sym3.hpp"
 #include "locate/background.hpp"
 #include "taut/limits.hpp"
@@ -41,10 +42,7 @@ private:
   Limits limits_;
   const Background* background_ = nullptr;
   std::vector<Sym3> log_metrics_;  // at the vertices of the background mesh
-  struct Placement {
-    RigidMotion there, back;
-  };
-  std::optional<Placement> placement_;
+  Placement placement_;
 };
 
 }  // namespace taut

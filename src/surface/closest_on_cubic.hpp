@@ -10,7 +10,7 @@ namespace taut {
 
 struct OnCubicTriangle {
   Vec3 point;
-  Vec3 across;  ///< perpendicular to the patch there, of any length; zero where the patch has no area
+  Vec3 across;                    ///< perpendicular to the patch there, of any length; zero where the patch has no area
   std::array<double, 3> weights;  ///< of the corners: none negative, of sum 1
   double squared_distance;
   int iterations;  ///< steps of Newton's method

@@ -182,7 +182,7 @@ inline void expect_on_geometry(const Workbench& bench) {
   for (VertexId v : living_vertices(m)) {
     const Tag tag = m.tag_of_vertex[v];
     if (tag.dimension() == 0 || tag.dimension() == 3) continue;
-    const double tolerance = bench.model.surface == nullptr ? 1e-13 : 1e-9;  // where Newton's method ends
+    const double tolerance = bench.model.surface.exists() ? 1e-9 : 1e-13;  // where Newton's method ends
     ASSERT_LT(norm(bench.model.project(tag, m.x(v)) - m.x(v)), tolerance) << "vertex " << v << " has left its place";
   }
   std::vector<Triangle> living;
