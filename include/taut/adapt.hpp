@@ -42,8 +42,9 @@ struct AdaptOptions {
   /// the surface decides (Geometry); between planar patches 45 degrees do.
   std::optional<double> ridge_angle{};
   /// Allowed distance between the triangles and the curved surface, in the unit of the mesh; 0: whatever the metric
-  /// asks for. Above 0, with Surface::adapt only, the metric is intersected with curvature_metric() for half of it,
-  /// which like gradation makes a field of a metric function. Operations that would exceed it are refused.
+  /// asks for. Above 0, with Surface::adapt only, the metric is intersected with that of curvature_metric() for half of
+  /// it, with the curvatures of the surface that the vertices have to lie on, which like gradation makes a field of a
+  /// metric function. Operations that would exceed it are refused.
   double deviation = 0;
   /// Where the vertices of the boundary and of interfaces have to lie, instead of on a surface made from this mesh:
   /// made once, it keeps them on one surface through any number of adaptations. It may come from a finer or coarser

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
@@ -32,12 +33,12 @@ void require_options(const AdaptOptions& o) {
 
 namespace {
 
-Tensors wanted_at(const Mesh& input, const Metric& metric, const AdaptOptions& options) {
+// Curvatures are those of the surface that the vertices have to lie on, which may be known better than by this mesh.
+Tensors wanted_at(const Session& session, const Mesh& input, const Metric& metric, const AdaptOptions& options) {
   Tensors tensors = tensors_at(input, metric);
   if (options.deviation == 0) return tensors;
-  CurvatureOptions curvature{.deviation = deviation_of_chords * options.deviation};
-  if (options.ridge_angle) curvature.ridge_angle = *options.ridge_angle;
-  return intersection(tensors, curvature_metric(input, curvature));
+  return with_curvatures(std::move(tensors), surface_curvatures(session.mesh, session.model),
+                         {.deviation = deviation_of_chords * options.deviation, .limits = within_domain(input, {})});
 }
 
 // The metrics of the input's points go to the vertices. Returns them by vertex.
@@ -84,7 +85,7 @@ double require_ids_for(double tetrahedra) {
 
 void set_target(Session& session, const Mesh& input, const Metric& metric, const AdaptOptions& options) {
   const std::vector<Sym3> metrics =
-      place_metrics(session.mesh, apply_limits(input, wanted_at(input, metric, options), options.limits));
+      place_metrics(session.mesh, apply_limits(input, wanted_at(session, input, metric, options), options.limits));
   session.background = std::make_unique<const Background>(session.mesh);
   session.target = make_target(metric, options, *session.background, metrics);
 }

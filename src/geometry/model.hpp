@@ -92,6 +92,15 @@ public:
   [[nodiscard]] bool on_patch(Tag tag, PatchId patch) const;
   /// Whether a vertex with this tag lies on the line or its ends, and the line may change.
   [[nodiscard]] bool on_line(Tag tag, LineId line) const;
+  /// Calls visit(patch) for each patch that may change and on which or on whose border a vertex with this tag lies.
+  template <class Visit>
+  void for_each_patch_at(Tag tag, Visit visit) const {
+    if (tag.is_on_patch() && !patches[tag.patch()].frozen()) visit(tag.patch());
+    if (tag.is_on_line() || tag.is_at_corner())
+      for (const PatchId p : tag.is_on_line() ? lines[tag.line()].patches : corners[tag.corner()].patches)
+        if (!patches[p].frozen()) visit(p);
+  }
+
   /// The point of the vertex's patch or line nearest to x, and the place of its corner if it has to go there; x itself
   /// in the volume, at any other corner and on what is frozen.
   [[nodiscard]] Vec3 project(Tag tag, const Vec3& x) const {

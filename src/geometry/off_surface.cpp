@@ -16,9 +16,10 @@ namespace {
 double distance_off(const Model& model, Tag tag, const Vec3& x) {
   double distance = norm(model.project(tag, x) - x);
   if (!tag.is_at_corner() || model.corners[tag.corner()].place) return distance;
-  for (const PatchId p : model.corners[tag.corner()].patches)
+  model.for_each_patch_at(tag, [&](PatchId p) {
     if (const Curved* curved = model.patches[p].curved(); curved != nullptr)
       distance = std::max(distance, model.surface.closest_on(*curved, x).distance);
+  });
   return distance;
 }
 

@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
-#include "base/buckets.hpp"
-#include "base/parallel.hpp"
-#include "metric/intersection.hpp"
 #include "sizing/limits.hpp"
 #include "sizing/surface_curvatures.hpp"
 #include "taut/error.hpp"
@@ -31,13 +29,8 @@ Tensors curvature_metric(const Mesh& mesh, const CurvatureOptions& options) {
   CurvatureOptions o = options;
   if (o.relative) o.deviation *= within_domain(mesh, {}).hmax;
   o.limits = within_domain(mesh, options.limits);
-  const auto sectors_at = gather<Index>(found.curvatures.size(), mesh.points.size(),
-                                        [&](std::size_t s, auto put) { put(found.points[s], static_cast<Index>(s)); });
-  Tensors metric(mesh.points.size(), metric_of_size(o.limits.hmax));
-  for_each_index(metric.size(), [&](std::size_t p) {
-    for (const Index s : sectors_at[p]) metric[p] = intersect(metric[p], metric_of_curvatures(found.curvatures[s], o));
-  });
-  return limited(mesh, std::move(metric), o.limits);
+  Tensors flat(mesh.points.size(), metric_of_size(o.limits.hmax));
+  return limited(mesh, with_curvatures(std::move(flat), found, o), o.limits);
 }
 
 }  // namespace taut

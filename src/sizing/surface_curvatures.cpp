@@ -5,10 +5,13 @@
 #include <cstdint>
 #include <numbers>
 #include <span>
+#include <utility>
 
+#include "base/buckets.hpp"
 #include "base/parallel.hpp"
 #include "geometry/features.hpp"
 #include "mesh/build.hpp"
+#include "metric/intersection.hpp"
 #include "surface/principal_curvatures.hpp"
 #include "surface/sector_jets.hpp"
 
@@ -61,6 +64,37 @@ SurfaceCurvatures surface_curvatures(const Mesh& mesh, double ridge_angle) {
     found.curvatures[s] = principal_curvatures(jets[s]);
   });
   return found;
+}
+
+SurfaceCurvatures surface_curvatures(const TetMesh& mesh, const Model& model) {
+  SurfaceCurvatures found;
+  if (!model.surface.exists()) return found;
+  std::vector<std::pair<VertexId, PatchId>> places;
+  for (const VertexId v : mesh.vertex_ids())
+    if (mesh.is_vertex_alive(v))
+      model.for_each_patch_at(mesh.tag_of_vertex[v], [&](PatchId p) {
+        if (model.patches[p].curved() != nullptr) places.emplace_back(v, p);
+      });
+  found = {std::vector<Index>(places.size()), std::vector<int>(places.size()), std::vector<Spectrum>(places.size())};
+  for_each_index(places.size(), [&](std::size_t i) {
+    const auto& [v, p] = places[i];
+    const Curved& patch = *model.patches[p].curved();
+    const OnPatch at = model.surface.closest_on(patch, mesh.x(v));
+    found.points[i] = mesh.origin_of_vertex[v];
+    found.refs[i] = model.patches[p].ref;
+    found.curvatures[i] = principal_curvatures({at.normal, model.surface.shape_operator(patch, at)});
+  });
+  return found;
+}
+
+Tensors with_curvatures(Tensors metric, const SurfaceCurvatures& found, const CurvatureOptions& options) {
+  const auto at_point = gather<Index>(found.points.size(), metric.size(),
+                                      [&](std::size_t i, auto put) { put(found.points[i], static_cast<Index>(i)); });
+  for_each_index(metric.size(), [&](std::size_t p) {
+    for (const Index i : at_point[p])
+      metric[p] = intersect(metric[p], metric_of_curvatures(found.curvatures[i], options));
+  });
+  return metric;
 }
 
 Sym3 metric_of_curvatures(const Spectrum& s, const CurvatureOptions& o) {

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "geometry/model.hpp"
+#include "mesh/tet_mesh.hpp"
 #include "metric/spectral.hpp"
 #include "taut/sizing.hpp"
 
@@ -15,8 +17,14 @@ struct SurfaceCurvatures {
   std::vector<Spectrum> curvatures;  ///< ascending; the last vector is the normal
 };
 
+/// The metric, one tensor for each point of the mesh, intersected with those of the curvatures.
+[[nodiscard]] Tensors with_curvatures(Tensors metric, const SurfaceCurvatures& found, const CurvatureOptions& options);
+
 /// Of the given triangles and those that are missing, of reference 0. Throws InputError for a mesh that cannot be used.
 [[nodiscard]] SurfaceCurvatures surface_curvatures(const Mesh& mesh, double ridge_angle);
+
+/// Of the curved patches of a model, where they are closest to the vertices on them.
+[[nodiscard]] SurfaceCurvatures surface_curvatures(const TetMesh& mesh, const Model& model);
 
 /// Sizes along the surface by its curvatures, and the smaller of them across it. `deviation` is a length, and hmax is
 /// finite.

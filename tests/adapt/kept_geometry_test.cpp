@@ -283,5 +283,16 @@ TEST(KeptGeometry, TheResultDoesNotDependOnThreads) {
   EXPECT_EQ(hash(1), hash(2));
 }
 
+TEST(KeptGeometry, ADeviationKnowsTheCurvaturesOfTheGeometry) {
+  const auto stretched = [](Mesh mesh) {
+    for (Point& p : mesh.points) p[0] *= 2;
+    return mesh;
+  };
+  const AdaptOptions options{.deviation = 0.01, .geometry = Geometry(stretched(round_ball(16)))};
+  const auto adapted = [&](const Mesh& mesh) { return adapt(mesh, Sizes(mesh.points.size(), 1), options).mesh; };
+  const Mesh once = adapted(stretched(round_ball(2))), twice = adapted(once);
+  EXPECT_NEAR(static_cast<double>(twice.triangles.size()) / static_cast<double>(once.triangles.size()), 1, 0.05);
+}
+
 }  // namespace
 }  // namespace taut::test
