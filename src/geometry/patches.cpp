@@ -1,9 +1,10 @@
 #include "geometry/patches.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 #include "base/disjoint_sets.hpp"
+#include "geometry/largest_plane.hpp"
 #include "surface/facets.hpp"
 
 namespace taut {
@@ -20,32 +21,8 @@ std::vector<TriangleId> roots(std::size_t triangles, const std::vector<EdgeUse>&
   return root;
 }
 
-// A plane perpendicular to an axis keeps its coordinate exactly, so that rounding never moves vertices off the plane.
-void snap_to_axis(Vec3& normal) {
-  for (int d = 0; d < 3; ++d) {
-    if (std::fabs(normal[d]) < 1 - 1e-15) continue;
-    const double sign = normal[d] > 0 ? 1 : -1;
-    normal = {};
-    normal[d] = sign;
-    return;
-  }
-}
-
-// The plane of the largest triangle of each patch.
-std::vector<Plane> fitted_planes(const TetMesh& mesh, std::size_t patches) {
-  std::vector<Plane> planes(patches);
-  std::vector<double> largest(patches, -1);
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 normal = cross(mesh.x(t.v[1]) - mesh.x(t.v[0]), mesh.x(t.v[2]) - mesh.x(t.v[0]));
-    const double area = norm(normal);
-    if (area <= largest[t.patch]) continue;
-    largest[t.patch] = area;
-    Plane& plane = planes[t.patch];
-    plane.normal = (1 / area) * normal;
-    snap_to_axis(plane.normal);
-    plane.offset = dot(plane.normal, mesh.x(t.v[0]));
-  }
-  return planes;
+std::array<Vec3, 3> corners_of(const TetMesh& mesh, const Triangle& t) {
+  return {mesh.x(t.v[0]), mesh.x(t.v[1]), mesh.x(t.v[2])};
 }
 
 }  // namespace
@@ -73,16 +50,15 @@ std::vector<Patch> group_patches(TetMesh& mesh, const std::vector<EdgeUse>& uses
 }
 
 void find_shapes(const TetMesh& mesh, std::vector<Patch>& patches, double tolerance) {
-  const std::vector<Plane> planes = fitted_planes(mesh, patches.size());
+  std::vector<LargestPlane> planes(patches.size());
+  for (const Triangle& t : mesh.triangles) planes[t.patch].add(corners_of(mesh, t));
   std::vector<std::uint8_t> planar(patches.size(), 1);
-  for (const Triangle& t : mesh.triangles) {
-    const Plane& plane = planes[t.patch];
-    for (VertexId v : t.v)
-      if (std::fabs(dot(plane.normal, mesh.x(v)) - plane.offset) > tolerance) planar[t.patch] = 0;
-  }
+  for (const Triangle& t : mesh.triangles)
+    for (const Vec3& x : corners_of(mesh, t))
+      if (distance(planes[t.patch].plane(), x) > tolerance) planar[t.patch] = 0;
   for (std::size_t p = 0; p < patches.size(); ++p) {
     patches[p].shape = Frozen{};
-    if (planar[p] != 0 && !patches[p].required) patches[p].shape = planes[p];
+    if (planar[p] != 0 && !patches[p].required) patches[p].shape = planes[p].plane();
   }
 }
 

@@ -3,24 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/largest_plane.hpp"
 #include "surface/surface_input.hpp"
 
 namespace taut {
 namespace {
 
-// The plane of the largest triangle, if no vertex is farther from it than the tolerance.
+// If no vertex is farther from it than the tolerance.
 std::optional<Plane> plane_of(const ReferenceSurface& surface, const ReferencePatch& patch, double tolerance) {
-  Vec3 normal{};
-  for (const TriangleId t : patch.triangles)
-    if (const Vec3 n = area_normal(surface.facets(), t); norm(n) > norm(normal)) normal = n;
-  normal = (1 / norm(normal)) * normal;
-  const double offset = dot(normal, surface.facets().points[surface.facets().triangles[patch.triangles[0]][0]]);
+  LargestPlane largest;
+  for (const TriangleId t : patch.triangles) largest.add(surface.cubic_of(t).corner);
   const bool is_planar = std::ranges::all_of(patch.triangles, [&](TriangleId t) {
-    return std::ranges::all_of(surface.facets().triangles[t], [&](VertexId v) {
-      return std::abs(dot(normal, surface.facets().points[v]) - offset) <= tolerance;
-    });
+    return std::ranges::all_of(surface.cubic_of(t).corner,
+                               [&](const Vec3& x) { return distance(largest.plane(), x) <= tolerance; });
   });
-  return is_planar ? std::optional<Plane>{{normal, offset}} : std::nullopt;
+  return is_planar ? std::optional<Plane>{largest.plane()} : std::nullopt;
 }
 
 bool is_straight_curve(const ReferenceCurve& curve, double tolerance) {
@@ -80,7 +77,7 @@ Reference::Reference(std::shared_ptr<const ReferenceSurface> given, const Mesh& 
   for (const TriangleId t : mesh.triangle_ids()) {
     const auto is_near = [&](VertexId v) {
       const Plane& plane = *planes_[patch_of(t)];
-      return std::abs(dot(plane.normal, mesh.x(v)) - plane.offset) <= tolerance;
+      return distance(plane, mesh.x(v)) <= tolerance;
     };
     const bool is_in = patch_of(t) == none || (is_planar(t) && std::ranges::all_of(mesh.triangles[t].v, is_near));
     in_plane_.push_back(is_in ? 1 : 0);
