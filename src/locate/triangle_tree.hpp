@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -35,10 +36,11 @@ public:
   /// the triangle found for a point nearby, makes the search faster and does not change the answer.
   [[nodiscard]] Nearest closest(const Vec3& x, Index guess = 0) const;
 
-  /// Calls visit(triangle, OnTriangle) for each triangle whose distance from x, less its slack, is at most `distance`,
-  /// near ones first; visit() returns the distance that counts from then on, which must not grow.
+  /// Finds what the triangles stand for: calls visit(triangle, OnTriangle), which returns its distance from x, for all
+  /// triangles for which this may be the least and at most `bound`, those that are flat near first. A good guess
+  /// makes it faster.
   template <class Visit>
-  void for_each_within(const Vec3& x, double distance, Visit visit) const;
+  void search(const Vec3& x, std::optional<Index> guess, double bound, Visit visit) const;
 
   /// A lower bound of the distance of x from all triangles and what they stand for.
   [[nodiscard]] double distance_bound(const Vec3& x) const { return std::sqrt(squared_distance(x, boxes_[1])); }
@@ -53,6 +55,8 @@ private:
     Index triangle;
   };
   struct Centre;
+  template <class Visit>
+  class Search;
 
   static constexpr std::size_t most_levels = 40;
 
@@ -110,17 +114,63 @@ void TriangleTree::descend(const Vec3& x, const double& squared_bound, Try try_l
   }
 }
 
+/// Visits cost more than flat triangles do: candidates are gathered first, so that the nearest one rules out most.
 template <class Visit>
-void TriangleTree::for_each_within(const Vec3& x, double distance, Visit visit) const {
-  double squared_bound = distance * distance;
-  descend(x, squared_bound, [&](std::size_t leaf) {
-    const Leaf& of = leaves_[leaf];
-    const OnTriangle at = closest_on_triangle(x, of.corners);
-    const double reach = distance + of.slack;
-    if (at.squared_distance > reach * reach) return;
-    distance = visit(of.triangle, at);
-    squared_bound = distance * distance;
+class TriangleTree::Search {
+public:
+  Search(const Vec3& x, double bound, Visit& visit)
+      : x_(x), visit_(visit), bound_(bound), squared_bound_(bound * bound) {}
+
+  /// The least distance is no larger.
+  [[nodiscard]] const double& squared_bound() const { return squared_bound_; }
+
+  void consider(const Leaf& leaf) {
+    const OnTriangle at = closest_on_triangle(x_, leaf.corners);
+    const double flat = std::sqrt(at.squared_distance);
+    if (flat - leaf.slack > bound_) return;
+    limit(flat + leaf.slack);
+    if (count_ == candidates_.size()) visit_all();
+    std::size_t place = count_++;
+    for (; place > 0 && candidates_[place - 1].flat > flat; --place) candidates_[place] = candidates_[place - 1];
+    candidates_[place] = {flat, leaf.slack, leaf.triangle, at};
+  }
+
+  void visit_all() {
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Candidate& c = candidates_[i];
+      if (c.flat - c.slack <= bound_) limit(visit_(c.triangle, c.at));
+    }
+    count_ = 0;
+  }
+
+private:
+  struct Candidate {
+    double flat, slack;
+    Index triangle;
+    OnTriangle at;
+  };
+
+  void limit(double distance) {
+    bound_ = std::min(bound_, distance);
+    squared_bound_ = bound_ * bound_;
+  }
+
+  const Vec3& x_;
+  Visit& visit_;
+  std::array<Candidate, 8> candidates_;
+  std::size_t count_ = 0;
+  double bound_, squared_bound_;
+};
+
+template <class Visit>
+void TriangleTree::search(const Vec3& x, std::optional<Index> guess, double bound, Visit visit) const {
+  Search<Visit> search(x, bound, visit);
+  const std::size_t known = guess ? leaf_of_[*guess] : count_;
+  if (guess) search.consider(leaves_[known]);
+  descend(x, search.squared_bound(), [&](std::size_t leaf) {
+    if (leaf != known) search.consider(leaves_[leaf]);
   });
+  search.visit_all();
 }
 
 }  // namespace taut

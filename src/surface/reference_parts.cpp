@@ -72,6 +72,12 @@ std::vector<PatchId> find_patches(std::size_t triangles, std::span<const EdgePai
   return patch_of;
 }
 
+std::optional<Index> ReferencePatch::place_of(TriangleId t) const {
+  const auto at = std::ranges::lower_bound(triangles, t);
+  if (at == triangles.end() || *at != t) return std::nullopt;
+  return static_cast<Index>(at - triangles.begin());
+}
+
 std::vector<ReferencePatch> make_patches(const Facets& facets, std::span<const int> refs,
                                          std::span<const CubicTriangle> cubics, std::span<const PatchId> patch_of) {
   const std::uint32_t count = *std::max_element(patch_of.begin(), patch_of.end()) + 1;

@@ -1,6 +1,7 @@
 // The parts of a reference surface: patches, the curves between them, and the corners where these end.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct ReferencePatch {
   int ref = 0;
   std::vector<TriangleId> triangles;  ///< ascending
   TriangleTree tree;                  ///< of these, in this order
+
+  /// In `triangles`; nothing if it is of another patch or `none`.
+  [[nodiscard]] std::optional<Index> place_of(TriangleId t) const;
 };
 
 /// A smooth ridge between two corners, or a closed one.

@@ -86,27 +86,18 @@ void ReferenceSurface::set_tags() {
   for (const CornerId c : ids<CornerId>(corners_.size())) tags_[corners_[c].vertex] = Tag::at_corner(c);
 }
 
-// All triangles that may be closer than the best one, with its distance as the bound.
-void ReferenceSurface::search(PatchId patch, const Vec3& x, OnPatch& best) const {
+void ReferenceSurface::search(PatchId patch, const Vec3& x, TriangleId guess, OnPatch& best) const {
   const ReferencePatch& of = patches_[patch];
-  if (best.triangle == none) {
-    const TriangleTree::Nearest nearest = of.tree.closest(x);
-    const TriangleId first = of.triangles[nearest.triangle];
-    try_triangle(cubics_[first], first, x, nearest.weights, best);
-  }
-  const TriangleId known = best.triangle;
-  of.tree.for_each_within(x, best.distance, [&](Index place, const OnTriangle& flat) {
+  of.tree.search(x, of.place_of(guess), best.distance, [&](Index place, const OnTriangle& flat) {
     const TriangleId t = of.triangles[place];
-    if (t != known) try_triangle(cubics_[t], t, x, flat.weights, best);
+    try_triangle(cubics_[t], t, x, flat.weights, best);
     return best.distance;
   });
 }
 
 OnPatch ReferenceSurface::closest_on(PatchId patch, const Vec3& x, TriangleId guess) const {
   OnPatch best = nothing_yet();
-  if (guess < patch_of_.size() && patch_of_[guess] == patch)
-    try_triangle(cubics_[guess], guess, x, closest_on_triangle(x, cubics_[guess].corner).weights, best);
-  search(patch, x, best);
+  search(patch, x, guess, best);
   best.normal = unit_normal(best.normal, cubics_[best.triangle].corner);
   return best;
 }
@@ -118,7 +109,7 @@ OnPatch ReferenceSurface::closest(const Vec3& x) const {
   OnPatch best = nothing_yet();
   for (const auto& [bound, patch] : order) {
     if (bound > best.distance) break;
-    search(patch, x, best);
+    search(patch, x, none, best);
   }
   best.normal = unit_normal(best.normal, cubics_[best.triangle].corner);
   return best;
@@ -128,19 +119,12 @@ OnCurve ReferenceSurface::closest_on(LineId curve, const Vec3& x, Index guess) c
   const auto& segments = curves_[curve].segments;
   OnCurve best;
   best.distance = std::numeric_limits<double>::infinity();
-  const auto try_segment = [&](Index segment, double parameter) {
-    const OnCubicSegment at = taut::closest_on(segments[segment], x, parameter);
+  const std::optional<Index> known = guess < segments.size() ? std::optional(guess) : std::nullopt;
+  curves_[curve].tree.search(x, known, best.distance, [&](Index segment, const OnTriangle& chord) {
+    const OnCubicSegment at = taut::closest_on(segments[segment], x, 1 - chord.weights[0]);
     const double distance = std::sqrt(at.squared_distance);
-    if (distance > best.distance || (distance == best.distance && segment > best.segment)) return;
-    best = {at.point, {}, segment, at.parameter, distance};
-  };
-  if (guess < segments.size()) {
-    const auto& b = segments[guess];
-    try_segment(guess, 1 - closest_on_triangle(x, {b[0], b[3], b[3]}).weights[0]);
-  }
-  const Index known = guess;
-  curves_[curve].tree.for_each_within(x, best.distance, [&](Index segment, const OnTriangle& chord) {
-    if (segment != known) try_segment(segment, 1 - chord.weights[0]);
+    if (distance < best.distance || (distance == best.distance && segment < best.segment))
+      best = {at.point, {}, segment, at.parameter, distance};
     return best.distance;
   });
   const Vec3 along = evaluate(segments[best.segment], best.parameter).first;

@@ -68,7 +68,7 @@ public:
 
 private:
   void set_tags();
-  void search(PatchId patch, const Vec3& x, OnPatch& best) const;
+  void search(PatchId patch, const Vec3& x, TriangleId guess, OnPatch& best) const;
 
   Facets facets_;
   std::vector<PatchId> patch_of_;                         ///< by triangle
