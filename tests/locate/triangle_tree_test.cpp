@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+#include <optional>
 #include <random>
 
 #include "base/with_threads.hpp"
@@ -181,6 +184,43 @@ TEST(ClosestOnTriangle, NothingIsCloser) {
         const Vec3 y = v[0] + (1.0 * p / n) * (v[1] - v[0]) + (1.0 * q / n) * (v[2] - v[0]);
         EXPECT_LE(distance, norm(x - y) + 1e-13);
       }
+  }
+}
+
+/// Each triangle stands for something that is farther than it or nearer, by at most its slack.
+TEST(TriangleTree, SearchesWhatTrianglesStandFor) {
+  for (const double most : {0.0, 0.05, 3.0}) {  // with 3 there are more candidates than are kept
+    const Soup soup = scattered(300, 0.2);
+    Random random;
+    std::vector<double> slack, off;
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+      slack.push_back(random.number(0, most));
+      off.push_back(random.number(-1, 1) * slack.back());
+    }
+    const TriangleTree tree(soup.points, soup.triangles, slack);
+    const auto distance = [&](Index t, double flat) { return std::abs(flat + off[t]); };
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 x = random.point(1.5);
+      double expected = std::numeric_limits<double>::infinity();
+      for (Index t = 0; t < soup.triangles.size(); ++t) {
+        const auto& [a, b, c] = soup.triangles[t];
+        const OnTriangle at = closest_on_triangle(x, {soup.points[a], soup.points[b], soup.points[c]});
+        expected = std::min(expected, distance(t, std::sqrt(at.squared_distance)));
+      }
+      const auto found = [&](std::optional<Index> guess, double bound) {
+        double least = std::numeric_limits<double>::infinity();
+        tree.search(x, guess, bound, [&](Index t, const OnTriangle& at) {
+          const double here = distance(t, std::sqrt(at.squared_distance));
+          least = std::min(least, here);
+          return here;
+        });
+        return least;
+      };
+      EXPECT_EQ(found(std::nullopt, std::numeric_limits<double>::infinity()), expected);
+      EXPECT_EQ(found(random.index(soup.triangles.size()), std::numeric_limits<double>::infinity()), expected);
+      EXPECT_EQ(found(std::nullopt, expected + 0.1), expected);
+      EXPECT_GE(found(std::nullopt, 0.9 * expected), expected);
+    }
   }
 }
 
