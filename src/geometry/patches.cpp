@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/box.hpp"
 #include "base/disjoint_sets.hpp"
 #include "geometry/largest_plane.hpp"
 #include "surface/facets.hpp"
@@ -28,10 +29,9 @@ std::array<Vec3, 3> corners_of(const TetMesh& mesh, const Triangle& t) {
 }  // namespace
 
 double flatness_tolerance(const TetMesh& mesh) {
-  Vec3 low = mesh.vertices[0].x, high = low;
-  for (const Vertex& v : mesh.vertices)
-    for (int d = 0; d < 3; ++d) low[d] = std::min(low[d], v.x[d]), high[d] = std::max(high[d], v.x[d]);
-  return flatness * norm(high - low);
+  Box box;
+  for (const Vertex& v : mesh.vertices) box.include(v.x);
+  return flatness * box.diagonal();
 }
 
 std::vector<Patch> group_patches(TetMesh& mesh, const std::vector<EdgeUse>& uses, std::span<const Feature> features,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/box.hpp"
 #include "base/parallel.hpp"
 #include "levelset/samples.hpp"
 #include "levelset/surface_door.hpp"
@@ -29,15 +30,11 @@ void require_options(const DistanceOptions& options) {
 }
 
 double diagonal_of_both(const SurfaceMesh& first, const SurfaceMesh& second) {
-  Vec3 low = first.points[first.triangles[0][0]], high = low;
+  Box box;
   for (const SurfaceMesh* surface : {&first, &second})
     for (const auto& triangle : surface->triangles)
-      for (const Index v : triangle)
-        for (std::size_t d = 0; d < 3; ++d) {
-          low[d] = std::min(low[d], surface->points[v][d]);
-          high[d] = std::max(high[d], surface->points[v][d]);
-        }
-  return norm(high - low);
+      for (const Index v : triangle) box.include(surface->points[v]);
+  return box.diagonal();
 }
 
 /// What the samples of some rows add up to.

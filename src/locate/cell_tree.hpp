@@ -4,22 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
+#include "base/box.hpp"
 #include "locate/background.hpp"
 
 namespace taut {
-
-/// From the lowest corner to the highest.
-struct Box {
-  static constexpr double huge = std::numeric_limits<double>::infinity();
-  Vec3 low{huge, huge, huge}, high{-huge, -huge, -huge};
-
-  void include(const Vec3& x);
-  void include(const Box& other);
-  [[nodiscard]] bool meets(const Box& other) const;
-};
 
 /// A binary tree of bounding boxes over the cells. The cells of a mesh in Hilbert order are compact in runs, so the
 /// tree takes them in their order and needs no sort.

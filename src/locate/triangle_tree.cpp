@@ -11,13 +11,6 @@ namespace {
 
 constexpr std::size_t most_in_leaf = 2;
 
-void stretch(Vec3& low, Vec3& high, const Vec3& x) {
-  for (std::size_t d = 0; d < 3; ++d) {
-    low[d] = std::min(low[d], x[d]);
-    high[d] = std::max(high[d], x[d]);
-  }
-}
-
 std::size_t depth_for(std::size_t leaves) {
   std::size_t depth = 0;
   while (leaves > (most_in_leaf << depth)) ++depth;
@@ -57,9 +50,9 @@ void TriangleTree::split(std::vector<Centre>& centres) const {
   for (std::size_t level = 0; level < depth_; ++level) {
     for_each_task(std::size_t{1} << level, [&](std::size_t place, int) {
       const auto [begin, end] = range_of(level, place);
-      Vec3 low = centres[begin].x, high = low;
-      for (std::size_t i = begin; i < end; ++i) stretch(low, high, centres[i].x);
-      const Vec3 sides = high - low;
+      Box around;
+      for (std::size_t i = begin; i < end; ++i) around.include(centres[i].x);
+      const Vec3 sides = around.high - around.low;
       const auto axis = static_cast<std::size_t>(std::max_element(sides.begin(), sides.end()) - sides.begin());
       const auto is_before = [axis](const Centre& a, const Centre& b) {
         return a.x[axis] != b.x[axis] ? a.x[axis] < b.x[axis] : a.triangle < b.triangle;
@@ -86,19 +79,17 @@ void TriangleTree::set_boxes() {
   boxes_.resize(2 * lowest);
   for_each_index(lowest, [&](std::size_t place) {
     const auto [begin, end] = range_of(depth_, place);
-    Box box{leaves_[begin].corners[0], leaves_[begin].corners[0]};
+    Box box;
     for (std::size_t i = begin; i < end; ++i)
       for (const Vec3& corner : leaves_[i].corners) {
         const Vec3 margin = {leaves_[i].slack, leaves_[i].slack, leaves_[i].slack};
-        stretch(box.low, box.high, corner - margin);
-        stretch(box.low, box.high, corner + margin);
+        box.include(Box{corner - margin, corner + margin});
       }
     boxes_[lowest + place] = box;
   });
   for (std::size_t node = lowest - 1; node > 0; --node) {
-    boxes_[node] = boxes_[2 * node];
-    stretch(boxes_[node].low, boxes_[node].high, boxes_[2 * node + 1].low);
-    stretch(boxes_[node].low, boxes_[node].high, boxes_[2 * node + 1].high);
+    boxes_[node].include(boxes_[2 * node]);
+    boxes_[node].include(boxes_[2 * node + 1]);
   }
 }
 

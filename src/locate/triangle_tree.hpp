@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/box.hpp"
 #include "base/vec3.hpp"
 #include "locate/closest_on_triangle.hpp"
 #include "taut/mesh.hpp"
@@ -46,9 +47,6 @@ public:
   [[nodiscard]] double distance_bound(const Vec3& x) const { return std::sqrt(squared_distance(x, boxes_[1])); }
 
 private:
-  struct Box {
-    Vec3 low, high;
-  };
   struct Leaf {
     std::array<Vec3, 3> corners;
     double slack;

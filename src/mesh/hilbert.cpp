@@ -1,8 +1,8 @@
 #include "mesh/hilbert.hpp"
 
 #include <algorithm>
-#include <limits>
 
+#include "base/box.hpp"
 #include "base/parallel.hpp"
 #include "base/sort.hpp"
 
@@ -35,20 +35,6 @@ std::uint64_t hilbert_index(std::array<std::uint32_t, 3> x) {
     for (int i = 0; i < 3; ++i) index = (index << 1) | (((x[i] ^ gray) >> b) & 1U);
   return index;
 }
-
-constexpr double huge = std::numeric_limits<double>::infinity();
-
-struct Box {
-  Vec3 low{huge, huge, huge}, high{-huge, -huge, -huge};
-
-  Box& operator+=(const Box& other) {
-    for (int d = 0; d < 3; ++d) {
-      low[d] = std::min(low[d], other.low[d]);
-      high[d] = std::max(high[d], other.high[d]);
-    }
-    return *this;
-  }
-};
 
 // Number of cells per unit of length in each direction of a box.
 Vec3 scale_of(const Box& box) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/box.hpp"
 #include "base/parallel.hpp"
 #include "mesh/door.hpp"
 #include "mesh/edges.hpp"
@@ -32,13 +33,7 @@ std::vector<Sym3> graded(const Mesh& mesh, std::span<const std::array<Index, 2>>
 
 Limits within_domain(const Mesh& mesh, Limits limits) {
   if (std::isfinite(limits.hmax)) return limits;
-  Vec3 low = mesh.points.front(), high = low;
-  for (const Point& p : mesh.points)
-    for (std::size_t d = 0; d < 3; ++d) {
-      low[d] = std::min(low[d], p[d]);
-      high[d] = std::max(high[d], p[d]);
-    }
-  limits.hmax = std::max(norm(high - low), limits.hmin);
+  limits.hmax = std::max(box_around(mesh.points).diagonal(), limits.hmin);
   return limits;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/box.hpp"
 #include "base/parallel.hpp"
 #include "taut/mesh.hpp"
 
@@ -47,12 +48,10 @@ Facets facets_of(const TetMesh& mesh) {
 }
 
 double flatness_tolerance(const Facets& facets) {
-  Vec3 low = facets.points[facets.triangles[0][0]], high = low;
+  Box box;
   for (const Corners& t : facets.triangles)
-    for (const VertexId v : t)
-      for (std::size_t d = 0; d < 3; ++d)
-        low[d] = std::min(low[d], facets.points[v][d]), high[d] = std::max(high[d], facets.points[v][d]);
-  return flatness * norm(high - low);
+    for (const VertexId v : t) box.include(facets.points[v]);
+  return flatness * box.diagonal();
 }
 
 Vec3 area_normal(const Facets& facets, TriangleId t) {

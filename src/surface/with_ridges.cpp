@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/box.hpp"
 #include "locate/point_finder.hpp"
 #include "mesh/door.hpp"
 #include "surface/surface_input.hpp"
@@ -73,16 +74,6 @@ std::vector<Index> chosen_edges(const Mesh& lines) {
   return all;
 }
 
-double diagonal_of(const Mesh& mesh) {
-  Vec3 low = mesh.points.front(), high = low;
-  for (const Point& p : mesh.points)
-    for (std::size_t d = 0; d < 3; ++d) {
-      low[d] = std::min(low[d], p[d]);
-      high[d] = std::max(high[d], p[d]);
-    }
-  return norm(high - low);
-}
-
 std::vector<Index> points_of(const std::vector<Edge>& edges) {
   std::vector<Index> points;
   for (const auto& [a, b] : edges) points.insert(points.end(), {a, b});
@@ -100,7 +91,7 @@ class EdgeFinder {
 public:
   explicit EdgeFinder(const Mesh& mesh)
       : edges_(surface_edges(mesh)),
-        tolerance_(tolerance_of_places * diagonal_of(mesh)),
+        tolerance_(tolerance_of_places * box_around(mesh.points).diagonal()),
         points_(mesh.points, points_of(edges_), tolerance_) {}
 
   /// Where an edge of `lines` lies; several at a slit.
