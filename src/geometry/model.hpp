@@ -45,7 +45,7 @@ struct Line {
   bool required = false;
   bool implicit = false;  ///< separates required triangles from others: not written
   std::variant<Straight, Bent> shape{};
-  std::vector<PatchId> patches;
+  std::vector<PatchId> patches;  ///< of the triangles at each of its edges: twice if a patch is on both sides
 };
 
 /// A vertex that is kept. Corners of only frozen patches share one entry without patches and lines.
@@ -92,6 +92,8 @@ public:
   [[nodiscard]] bool on_patch(Tag tag, PatchId patch) const;
   /// Whether a vertex with this tag lies on the line or its ends, and the line may change.
   [[nodiscard]] bool on_line(Tag tag, LineId line) const;
+  /// How many triangles of the patch meet at each edge of the line.
+  [[nodiscard]] int sides_of(LineId line, PatchId patch) const;
   /// The point of the vertex's patch or line nearest to x, and the place of its corner if it has to go there; x itself
   /// in the volume, at any other corner and on what is frozen.
   [[nodiscard]] Vec3 project(Tag tag, const Vec3& x) const {
