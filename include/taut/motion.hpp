@@ -54,7 +54,8 @@ struct MotionOptions {
   Transfer transfer = Transfer::conservative;  ///< of registered fields, where the mesh has changed
 };
 
-/// What the triangles with one reference do in a step. All others stay where they are, or slide.
+/// What the triangles with one reference do in a step. All others stay where they are, or slide. A vertex where bodies
+/// meet moves with that which comes first among them.
 struct BodyMotion {
   int reference = 0;     ///< of its triangles
   RigidMotion motion{};  ///< in this step
