@@ -12,6 +12,7 @@
 #include "adapt_job.hpp"
 #include "commands.hpp"
 #include "files.hpp"
+#include "geometry_file.hpp"
 #include "interrupt.hpp"
 #include "json.hpp"
 #include "local_file.hpp"
@@ -34,13 +35,6 @@ struct AdaptInput {
   std::optional<Geometry> geometry;
 };
 
-std::optional<Geometry> read_geometry(const AdaptJob& job) {
-  if (job.geometry.empty()) return std::nullopt;
-  const Mesh mesh = read_boundary(job.geometry);
-  return with_files(job.geometry, std::initializer_list<Source>{},
-                    [&] { return Geometry(mesh, {.ridge_angle = job.options.ridge_angle}); });
-}
-
 LocalSizes read_local(const AdaptJob& job) {
   if (job.local.empty()) return {};
   LocalSizes sizes = read_local_sizes(job.local);
@@ -53,7 +47,7 @@ AdaptInput read_input(const AdaptJob& job) {
                    .metric = {},
                    .fields = {},
                    .local = read_local(job),
-                   .geometry = read_geometry(job)};
+                   .geometry = read_geometry(job.geometry, job.options.ridge_angle)};
   if (!job.ridges.empty()) input.mesh = with_ridges_of(job.ridges, std::move(input.mesh), job.input);
   if (adapts_to_fields(job)) {
     input.fields = read_fields(job.field.files, input.mesh.points.size());

@@ -55,11 +55,7 @@ void add_sizes(CLI::App& command, AdaptJob& job) {
 void add_boundary(CLI::App& command, AdaptJob& job) {
   add_surface(command, job.options.surface,
               "remesh all, with vertices on the curved surface that the triangles stand for");
-  command
-      .add_option("--geometry", job.geometry,
-                  "triangles or tetrahedra, .mesh or .meshb, whose curved surface the vertices of the boundary are to "
-                  "lie on, instead of that of IN; the same file for many adaptations keeps the surface")
-      ->type_name("FILE");
+  add_geometry(command, job.geometry, "the same file for many adaptations keeps the surface");
   command
       .add_option("--ridges", job.ridges,
                   "edges that are ridges whatever the angle: those marked in a mesh, .mesh or .meshb, or all of its "
@@ -84,14 +80,6 @@ void require_one_target(const AdaptJob& job) {
   if (found.size() > 1)
     throw InputError(
         fmt::format("{} found, expected only one of them; see 'taut adapt --help'", fmt::join(found, " and ")));
-}
-
-// Nothing would be moved onto it.
-void require_adapted_surface(const AdaptJob& job) {
-  if (!job.geometry.empty() && job.options.surface != Surface::adapt)
-    throw InputError(
-        fmt::format("--geometry with --surface {} found, expected --surface adapt; see 'taut adapt --help'",
-                    word_of(job.options.surface)));
 }
 
 }  // namespace
@@ -120,7 +108,7 @@ void add_options(CLI::App& command, AdaptJob& job) {
 
 void require_sound(const AdaptJob& job) {
   require_one_target(job);
-  require_adapted_surface(job);
+  require_adapted_surface(job.geometry, job.options.surface, "adapt");
   require_sound(job.limits, "adapt");
 }
 

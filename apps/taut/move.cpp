@@ -8,6 +8,7 @@
 #include "check.hpp"
 #include "commands.hpp"
 #include "files.hpp"
+#include "geometry_file.hpp"
 #include "interrupt.hpp"
 #include "move_bodies.hpp"
 #include "move_files.hpp"
@@ -26,6 +27,7 @@ namespace {
 MotionOptions motion_options(const MoveJob& job, const MovingBodies& bodies, const Interrupt& interrupt) {
   MotionOptions options = job.options;
   options.adaptation.limits = limits_of(job.limits);
+  options.adaptation.geometry = read_geometry(job.geometry, options.adaptation.ridge_angle);
   options.adaptation.progress = [&interrupt](const Progress&) { return !interrupt.requested(); };
   options.sliding = bodies.sliding();
   return options;
@@ -41,8 +43,9 @@ MovingMesh moving_mesh(const MoveJob& job, MovingBodies& bodies, const MotionOpt
   const Mesh mesh = read_mesh(job.input);
   const std::vector<Field> fields = read_fields(job.fields, mesh.points.size());
   const Metric metric = metric_for(job, mesh);
-  MovingMesh moving = with_files(job.input, {{"metric: ", job.size ? "--size" : job.metric}},
-                                 [&] { return MovingMesh(mesh, metric, options); });
+  MovingMesh moving =
+      with_files(job.input, {{"metric: ", job.size ? "--size" : job.metric}, {"geometry: ", job.geometry}},
+                 [&] { return MovingMesh(mesh, metric, options); });
   bodies.fit(moving.mesh(), job.input);
   moving.set_fields(fields);
   return moving;

@@ -73,6 +73,7 @@ NamesInUse inputs_of(const MoveJob& job, std::span<const std::string> displaceme
   names.add_input(job.input, "input mesh");
   names.add_input(job.motion, "motion");
   names.add_input(job.metric, "input metric");
+  names.add_input(job.geometry, "geometry");
   for (const std::string& file : job.fields) names.add_input(file, "input fields");
   for (const std::string& file : displacements) names.add_input(file, "displacements");
   return names;

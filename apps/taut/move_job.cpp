@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "check.hpp"
+#include "geometry_file.hpp"
 #include "options.hpp"
 #include "taut/error.hpp"
 
@@ -124,6 +125,7 @@ void add_options(CLI::App& command, MoveJob& job) {
   add_method(command, "--transfer", job.options.transfer);
   add_limits(command, job.limits);
   add_surface(command, job.options.adaptation.surface, "remesh patches, those of bodies as they move");
+  add_geometry(command, job.geometry, "it moves with the bodies");
   add_ridge_angle(command, job.options.adaptation.ridge_angle);
   add_threads(command, job.threads);
   command.footer(move_help);
@@ -133,6 +135,7 @@ void require_sound(const MoveJob& job) {
   if (!job.metric.empty() && job.size)
     throw InputError("--metric and --size found, expected at most one of them; see 'taut move --help'");
   require_sound(job.limits, "move");
+  require_adapted_surface(job.geometry, job.options.adaptation.surface, "move");
   if (!job.fields_out.empty() && job.fields.empty())
     throw InputError("--fields-out found without --fields; see 'taut move --help'");
   if (!job.fields.empty() && job.fields_out.empty() && !job.output.ends_with(".vtu"))

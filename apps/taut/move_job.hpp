@@ -17,12 +17,13 @@ struct MoveJob {
   std::string metric;                          ///< empty: `size`, or else the metric that the mesh implies
   std::optional<double> size;                  ///< wanted everywhere
   std::vector<std::string> fields;
+  std::string geometry;     ///< file of the surface for the boundary; empty: that of the mesh
   std::string report, pvd;  ///< empty: not written
   int steps = 0, every = 1;
   AskedLimits limits;
   bool quiet = false;
   int threads = 0;
-  MotionOptions options;  ///< without the limits and the sliding walls
+  MotionOptions options;  ///< without the limits, the geometry and the sliding walls
 };
 
 /// Adds the options to `command`; they fill `job`, which must outlive it.

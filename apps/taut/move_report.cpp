@@ -65,6 +65,7 @@ Json options_of(const MoveJob& job) {
           {"metric_follows", o.metric_follows ? Json(*o.metric_follows) : Json()},
           {"transfer", word_of(o.transfer)},
           {"surface", word_of(o.adaptation.surface)},
+          {"geometry", null_if_empty(job.geometry)},
           {"hmin", bounds.hmin},
           {"hmax", bounds.hmax},
           {"anisotropy", bounds.anisotropy},

@@ -37,8 +37,9 @@ struct MotionOptions {
   Following following = Following::elastic;  ///< see there
   /// Surface, limits, ridge angle, threads and size of blocks. Curved surfaces are adapted as they move: that of a body
   /// goes along with it if all its vertices move by one rigid motion, and stays as it is from then on if they do not.
-  /// Surface::planar keeps the triangles of all curved surfaces. `max_rounds` is for the beginning: the mesh is taken
-  /// as it is if 0. No geometry, which would not move with the bodies.
+  /// Surface::planar keeps the triangles of all curved surfaces. A geometry is where
+  /// the boundary is at the beginning, and is carried along in the same way. `max_rounds` is for the beginning: the
+  /// mesh is taken as it is if 0, and vertices are moved onto a geometry after the first step.
   AdaptOptions adaptation{.max_rounds = 0};
   int rounds = 3;              ///< of optimisation after each step, or part of a step, 0 or more
   double stiffening = 1.5;     ///< stiffness of a tetrahedron is 1 / volume to this power, 0 or more
@@ -54,7 +55,8 @@ struct MotionOptions {
   Transfer transfer = Transfer::conservative;  ///< of registered fields, where the mesh has changed
 };
 
-/// What the triangles with one reference do in a step. All others stay where they are, or slide.
+/// What the triangles with one reference do in a step. All others stay where they are, or slide. A vertex where bodies
+/// meet moves with that which comes first among them.
 struct BodyMotion {
   int reference = 0;     ///< of its triangles
   RigidMotion motion{};  ///< in this step

@@ -24,22 +24,40 @@ void SurfaceCavity::add_edge(const Edge& edge) {
   edges_[edge_size_++] = edge;
 }
 
-void SurfaceCavity::toggle_end(VertexId v, PatchId patch, LineId line) {
+void SurfaceCavity::toggle_end(VertexId v, const Edge& edge, bool stays) {
   for (int i = 0; i < end_size_; ++i) {
     End& end = ends_[i];
-    if (end.v == v && end.patch == patch && end.line == line) {
+    if (end.v == v && end.patch == edge.patch && end.line == edge.line) {
       end.open = !end.open;
+      end.stays |= stays;
+      end.missing = edge.count;
       return;
     }
   }
-  ends_[end_size_++] = {v, patch, line, true, false};
+  ends_[end_size_++] = {v, edge.patch, edge.line, true, stays, edge.count};
+}
+
+// An edge of a line that runs through the apex. If the patch is on both sides of it and the cavity has only one of
+// them, the edge stays, and must have the apex as an end.
+bool SurfaceCavity::take_feature(const Model& model, const Edge& edge, VertexId apex) {
+  const bool stays = edge.count < model.sides_of(edge.line, edge.patch);
+  if (stays && edge.a != apex && edge.b != apex) return false;
+  for (const VertexId v : {edge.a, edge.b})
+    if (v != apex) toggle_end(v, edge, stays);
+  return true;
+}
+
+// Ends that are open have been connected to the apex on each side; one at which an edge stays must be.
+bool SurfaceCavity::ends_agree(VertexId gone) const {
+  return std::all_of(ends_.begin(), ends_.begin() + end_size_,
+                     [&](const End& end) { return end.open ? end.missing <= 0 && end.v != gone : !end.stays; });
 }
 
 LineId SurfaceCavity::line_to(VertexId v, PatchId patch) {
   for (int i = 0; i < end_size_; ++i) {
     End& end = ends_[i];
     if (!end.open || end.v != v || end.patch != patch) continue;
-    end.used = true;
+    --end.missing;
     return end.line;
   }
   return none;
@@ -60,9 +78,8 @@ Outcome SurfaceCavity::rejoin(const TetMesh& mesh, const Model& model, const Ape
   for (int i = 0; i < edge_size_; ++i) {
     const Edge& e = edges_[i];
     const bool at_apex = e.a == apex.id || e.b == apex.id;
-    if (e.line != none && model.on_line(apex.tag, e.line)) {  // collinear with the apex: a feature edge that is removed
-      if (e.a != apex.id) toggle_end(e.a, e.patch, e.line);
-      if (e.b != apex.id) toggle_end(e.b, e.patch, e.line);
+    if (e.line != none && model.on_line(apex.tag, e.line)) {
+      if (!take_feature(model, e, apex.id)) return Outcome::geometry;
       continue;
     }
     if (e.count > 2 || (e.line != none && (e.count == 2 || at_apex))) return Outcome::geometry;
@@ -76,8 +93,7 @@ Outcome SurfaceCavity::rejoin(const TetMesh& mesh, const Model& model, const Ape
     b.line_pa = line_to(b.a, b.patch);
     b.line_bp = line_to(b.b, b.patch);
   }
-  for (int i = 0; i < end_size_; ++i)
-    if (ends_[i].open && (!ends_[i].used || ends_[i].v == gone)) return Outcome::geometry;
+  if (!ends_agree(gone)) return Outcome::geometry;
   return !model.surface.exists() || fits(mesh, model, apex) ? Outcome::accepted : Outcome::surface;
 }
 

@@ -63,12 +63,16 @@ private:
     VertexId v;
     PatchId patch;
     LineId line;
-    bool open, used;
+    bool open;
+    bool stays;   // so does an edge there
+    int missing;  // new triangles with an edge from there to the apex
   };
 
   [[nodiscard]] bool fits(const TetMesh& mesh, const Model& model, const Apex& apex) const;
   void add_edge(const Edge& edge);
-  void toggle_end(VertexId v, PatchId patch, LineId line);
+  void toggle_end(VertexId v, const Edge& edge, bool stays);
+  [[nodiscard]] bool take_feature(const Model& model, const Edge& edge, VertexId apex);
+  [[nodiscard]] bool ends_agree(VertexId gone) const;
   [[nodiscard]] LineId line_to(VertexId v, PatchId patch);
 
   int removed_size_ = 0, border_size_ = 0, edge_size_ = 0, end_size_ = 0;

@@ -31,15 +31,6 @@ void freeze_shell(TetMesh& mesh, const std::array<VertexId, 2>& edge, std::vecto
                                  mesh.origin_of_vertex[edge[1]] + 1));
 }
 
-// An edge with one patch on both sides cannot be told from the patch's inside by counting sides.
-bool is_dangling(const TetMesh& mesh, const Feature& f) {
-  const auto patch_of = [&](const EdgeUse& use) { return mesh.triangles[use.triangle].patch; };
-  for (std::size_t i = 0; i < f.uses.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (patch_of(f.uses[i]) == patch_of(f.uses[j])) return true;
-  return false;
-}
-
 // If parts of the mesh touch at an edge, more than two of its triangles bound the domain, and a shell would contain
 // only one part.
 bool is_pinched(const TetMesh& mesh, const Feature& f) {
@@ -86,7 +77,7 @@ std::vector<Region> find_regions(Built& built, std::span<const Feature> inner_ed
 }
 
 bool stays(const TetMesh& mesh, const Feature& feature) {
-  return feature.required || is_dangling(mesh, feature) || is_pinched(mesh, feature);
+  return feature.required || is_pinched(mesh, feature);
 }
 
 std::vector<std::uint8_t> find_fixed_vertices(const Mesh& input, const Built& built, const Model& model,

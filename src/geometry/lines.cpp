@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/each_once.hpp"
 #include "geometry/frozen.hpp"
 
 namespace taut {
@@ -64,7 +63,7 @@ LineId FeatureGraph::bent_along(FeatureIndex f) const {
 std::vector<PatchId> FeatureGraph::patches_of(FeatureIndex f) const {
   std::vector<PatchId> patches;
   for (const EdgeUse& use : features_[f].uses) patches.push_back(mesh_.triangles[use.triangle].patch);
-  keep_each_once(patches);
+  std::ranges::sort(patches);
   return patches;
 }
 

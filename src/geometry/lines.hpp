@@ -33,7 +33,7 @@ public:
   /// The curve on which a feature lies; `none` if it is straight.
   [[nodiscard]] LineId bent_along(FeatureIndex f) const;
 
-  /// The patches that meet at a feature, ascending, each once.
+  /// The patches of the triangles that meet at a feature, ascending: twice if a patch is on both sides.
   [[nodiscard]] std::vector<PatchId> patches_of(FeatureIndex f) const;
 
 private:

@@ -57,6 +57,10 @@ bool Model::on_line(Tag tag, LineId line) const {
   return tag.is_on_line() ? tag.line() == line : contains(corners[tag.corner()].lines, line);
 }
 
+int Model::sides_of(LineId line, PatchId patch) const {
+  return static_cast<int>(std::ranges::count(lines[line].patches, patch));
+}
+
 Vec3 Model::project(Tag tag, const Vec3& x, SeatId& seat) const {
   if (tag.is_on_patch()) return std::visit(Projection{surface, x, seat}, patches[tag.patch()].shape);
   if (tag.is_on_line()) return std::visit(Projection{surface, x, seat}, lines[tag.line()].shape);

@@ -45,7 +45,7 @@ struct Line {
   bool required = false;
   bool implicit = false;  ///< separates required triangles from others: not written
   std::variant<Straight, Bent> shape{};
-  std::vector<PatchId> patches;
+  std::vector<PatchId> patches;  ///< of the triangles at each of its edges: twice if a patch is on both sides
 };
 
 /// A vertex that is kept. Corners of only frozen patches share one entry without patches and lines.
@@ -92,7 +92,10 @@ public:
   [[nodiscard]] bool on_patch(Tag tag, PatchId patch) const;
   /// Whether a vertex with this tag lies on the line or its ends, and the line may change.
   [[nodiscard]] bool on_line(Tag tag, LineId line) const;
-  /// Calls visit(patch) for each patch that may change and on which or on whose border a vertex with this tag lies.
+  /// How many triangles of the patch meet at each edge of the line.
+  [[nodiscard]] int sides_of(LineId line, PatchId patch) const;
+  /// Calls visit(patch), more than once perhaps, for each patch that may change and on which or on whose border a
+  /// vertex with this tag lies.
   template <class Visit>
   void for_each_patch_at(Tag tag, Visit visit) const {
     if (tag.is_on_patch() && !patches[tag.patch()].frozen()) visit(tag.patch());

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "geometry/patches.hpp"
@@ -59,6 +60,20 @@ std::vector<Line> fitted_lines(const TetMesh& mesh, std::vector<Line> lines, con
     lines[l].shape = Straight{begin[l], (1 / norm(along)) * along};
   }
   return lines;
+}
+
+// The place of a given surface's corner goes along with its vertex. If that has moved otherwise, it has none any more.
+void carry_corners(Model& model, const TetMesh& mesh, const Marks& has_moved, const RigidMoves& rigid) {
+  for (const VertexId v : mesh.vertex_ids()) {
+    if (!mesh.is_vertex_alive(v) || !mesh.tag_of_vertex[v].is_at_corner()) continue;
+    std::optional<Vec3>& place = model.corners[mesh.tag_of_vertex[v].corner()].place;
+    if (!place) continue;
+    const std::uint32_t motion = rigid.motions.empty() ? std::uint32_t{none} : rigid.of_vertex[v];
+    if (motion != none)
+      place = rigid.motions[motion](*place);
+    else if (has_moved[v] != 0)
+      place.reset();
+  }
 }
 
 // Whether one is found that is not straight any more, or that has left its curve.
@@ -128,6 +143,7 @@ void fix_vertices(Model& model, TetMesh& mesh) {
 
 void refit(Model& model, TetMesh& mesh, const Marks& has_moved, const RigidMoves& rigid) {
   const Touched touched = touched_otherwise(model, mesh, has_moved, carry(model, mesh, rigid));
+  carry_corners(model, mesh, has_moved, rigid);
   const double tolerance = flatness_tolerance(mesh);
   bool froze = refit_patches(model, mesh, touched.patch, tolerance);
   model.lines = fitted_lines(mesh, std::move(model.lines), touched.line);

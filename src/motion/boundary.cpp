@@ -42,6 +42,11 @@ void set_slides(Boundary& boundary, const std::map<VertexId, WallNormals>& slide
   }
 }
 
+// Of a vertex between two bodies, whatever the order of the triangles.
+Role first_body(const Role& role, std::uint16_t body) {
+  return {Driver::body, role.driver == Driver::body ? std::min(role.body, body) : body};
+}
+
 // What a vertex without a role becomes next to one that has one: of that body, or of a wall, which is also what a
 // vertex between two bodies becomes.
 Role grown(const Role& role, const Role& from) {
@@ -76,9 +81,10 @@ Boundary boundary_of(const Session& session, std::span<const int> bodies, std::s
     const bool slides_here = std::ranges::find(walls, ref) != walls.end();
     for (const VertexId v : t.v) {
       Role& role = boundary.roles[v];
-      if (role.driver == Driver::body) continue;
       if (body != bodies.end())
-        role = {Driver::body, static_cast<std::uint16_t>(body - bodies.begin())};
+        role = first_body(role, static_cast<std::uint16_t>(body - bodies.begin()));
+      else if (role.driver == Driver::body)
+        continue;
       else if (slides_here)
         slides[v].add(unit_normal(mesh, t));
       else

@@ -31,7 +31,7 @@ struct Boundary {
 };
 
 /// Triangles with the reference bodies[i] belong to body i. Those with one of the references `walls` slide; all others
-/// are fixed. A vertex of a body belongs to it, whatever else it touches.
+/// are fixed. A vertex of a body belongs to it, whatever else it touches; between bodies, to the first of them.
 [[nodiscard]] Boundary boundary_of(const Session& session, std::span<const int> bodies, std::span<const int> walls);
 
 /// The vertices inside that are within so many edges of a body move with it, unless something else is as near.

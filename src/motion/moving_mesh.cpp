@@ -12,7 +12,6 @@ namespace {
 
 void require(const MotionOptions& o) {
   require_options(o.adaptation);
-  if (o.adaptation.geometry) throw InputError("a geometry found, expected none: it would not move with the bodies");
   if (o.rounds < 0) throw InputError(fmt::format("{} rounds found, expected 0 or more", o.rounds));
   if (o.shell < 0) throw InputError(fmt::format("shell of {} layers found, expected 0 or more", o.shell));
   if (!(o.stiffening >= 0)) throw InputError(fmt::format("stiffening {} found, expected 0 or more", o.stiffening));

@@ -98,15 +98,17 @@ TEST(Marks, GivenEdgesThatBendAreLinesBetweenTheBends) {
   EXPECT_EQ(c.tag(chain[3]).dimension(), 1);
 }
 
-TEST(Marks, AGivenEdgeThatDanglesIsFrozen) {
+TEST(Marks, GivenEdgesThatDangleAreALine) {
   Mesh mesh = cube(4);
   mesh.edges = {{at(0, 2, 1), at(0, 2, 2)}, {at(0, 2, 2), at(0, 2, 3)}};
   const Classified c(mesh);
   EXPECT_EQ(c.model.patches.size(), 6);
-  for (Index k = 1; k <= 3; ++k) EXPECT_EQ(c.tag(at(0, 2, k)).dimension(), 0);
+  for (const Index k : {1, 3}) EXPECT_EQ(c.tag(at(0, 2, k)).dimension(), 0);
+  EXPECT_EQ(c.tag(at(0, 2, 2)).dimension(), 1);
   const Line* line = c.line(at(0, 2, 1), at(0, 2, 2));
   ASSERT_NE(line, nullptr);
-  EXPECT_TRUE(line->frozen);
+  EXPECT_FALSE(line->frozen);
+  EXPECT_EQ(line->patches.size(), 2) << "one patch, on both sides";
   EXPECT_FALSE(line->required);
   EXPECT_EQ(c.frozen_patches(), 0);
 }

@@ -1,5 +1,6 @@
 // taut adapt --geometry: a surface from another file, the report and the note, and what is refused.
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "program/fixture.hpp"
@@ -70,6 +71,35 @@ TEST_F(GeometryRun, AFieldGoesWithIt) {
   write("u.sol", metric_text(Sizes(125, 1)));
   expect_done({"adapt", "ball.mesh", "--field", "u.sol", "--complexity", "100", "--hmax", "0.5", "--geometry",
                "fine.mesh", "-o", "out.meshb"});
+}
+
+TEST_F(GeometryRun, MovesWithABody) {
+  write("m.json", R"({"bodies": [{"references": [0], "motions": [
+      {"rotation": {"centre": [0, 0, 0], "axis": [1, 2, 3], "degrees": 20}}, {"translation": [0.1, 0, 0]}]}]})");
+  const Words words = {"move",        "ball.mesh", "--motion", "m.json",     "--steps",   "3",        "-o",
+                       "o-%04d.mesh", "--size",    "0.4",      "--geometry", "fine.mesh", "--report", "out.json"};
+  expect_done(words);
+  EXPECT_EQ(json::parse(read("out.json"))["options"]["geometry"], "fine.mesh");
+  const Geometry geometry(read_boundary("fine.mesh"));
+  const RigidMotion way = RigidMotion::translation({0.3, 0, 0}) * RigidMotion::rotation({0, 0, 0}, {1, 2, 3}, 60);
+  const Mesh mesh = read_mesh("o-0003.mesh");
+  for (const auto& triangle : mesh.triangles)
+    for (const Index v : triangle) EXPECT_LT(geometry.closest(way.inverse()(mesh.points[v])).distance, 1e-9);
+
+  const auto with = [&](const Words& more) {
+    Words all = words;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  expect_error(with({"--surface", "planar"}), 2, {"--geometry with --surface planar", "taut move --help"});
+  Words same = words;
+  same.back() = "fine.json";
+  std::filesystem::rename("fine.mesh", "o-0002.mesh");
+  same[11] = "o-0002.mesh";
+  expect_error(same, 2, {"o-0002.mesh", "geometry", "meshes"});
+  write("cube.mesh", mesh_text(cube(4)));
+  same[11] = "cube.mesh";
+  expect_error(same, 2, {"cube.mesh: ", "of the mesh at"});
 }
 
 TEST_F(GeometryRun, VerticesThatStayAreNoted) {
