@@ -12,6 +12,7 @@ namespace taut {
 namespace {
 
 constexpr double points_per_coefficient = 1.5;
+constexpr double most_turn_of_degree = 0.3;  ///< of the normal, as a slope, by a higher degree
 constexpr double gain_of_degree = 0.8;  ///< the largest part of the error of prediction that a higher degree may leave
 // Of the normal equations scaled to a unit diagonal: the square of the sine of the angle between a monomial and the
 // span of those before it, as the points see them. What is smaller belongs to a polynomial that they do not see.
@@ -144,20 +145,29 @@ private:
   Column right_ = Column::Zero();
 };
 
-/// The fit of this degree, if there are points enough and it predicts clearly better.
+/// How much the normals of two fits differ, as a slope.
+double turn_between(const TangentFrame& frame, const Quadratic& a, const Quadratic& b) {
+  return norm((a[0] - b[0]) * frame.of_u + (a[1] - b[1]) * frame.of_v);
+}
+
+/// The fit of this degree, if there are points enough and it predicts clearly better. On rows of points that are almost
+/// straight one can predict all points and still have any slope between the rows: no smooth surface turns so much more
+/// than a fit of lower degree.
 template <int degree>
-Fit better(const Fit& best, std::span<const Sample> samples) {
+Fit better(const Fit& best, const TangentFrame& frame, std::span<const Sample> samples) {
   if (static_cast<double>(samples.size()) < points_per_coefficient * coefficients_of(degree)) return best;
   const auto higher = NormalEquations<degree>(samples).fit();
-  return higher && higher->prediction_error < gain_of_degree * gain_of_degree * best.prediction_error ? *higher : best;
+  const bool is_better = higher && higher->prediction_error < gain_of_degree * gain_of_degree * best.prediction_error &&
+                         turn_between(frame, higher->lower_part, best.lower_part) < most_turn_of_degree;
+  return is_better ? *higher : best;
 }
 
 /// Of all coefficients those of degree 1 and 2.
-Quadratic best_coefficients(std::span<const Sample> samples) {
+Quadratic best_coefficients(const TangentFrame& frame, std::span<const Sample> samples) {
   const NormalEquations<2> quadratic(samples);
   const auto fit = quadratic.fit();
   if (!fit) return quadratic.least_coefficients();
-  return better<4>(better<3>(*fit, samples), samples).lower_part;
+  return better<4>(better<3>(*fit, frame, samples), frame, samples).lower_part;
 }
 
 }  // namespace
@@ -165,7 +175,7 @@ Quadratic best_coefficients(std::span<const Sample> samples) {
 Derivatives jet(const Vec3& normal, std::span<const Vec3> offsets, double tolerance) {
   const auto frame = frame_around(normal, offsets);
   if (!frame) return {normal, {}};
-  const Quadratic c = best_coefficients(samples_of(*frame, offsets, tolerance));
+  const Quadratic c = best_coefficients(*frame, samples_of(*frame, offsets, tolerance));
   const Vec3 &a = frame->of_u, &b = frame->of_v;
   const double uv = std::sqrt(2.0) * c[3];
   const Sym3 mixed = outer(a + b) + -1 * outer(a) + -1 * outer(b);

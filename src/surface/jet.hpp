@@ -11,7 +11,8 @@ namespace taut {
 /// less the polynomial without constant term ("jet", Cazals and Pouget 2005) that fits the heights of the neighbours
 /// best. `offsets` are the places of the neighbours less that of the point.
 ///
-/// The degree is 2, or up to 4 if that predicts each neighbour from the others better by a fifth. Neighbours that do
+/// The degree is 2, or up to 4 if that predicts each neighbour from the others better by a fifth, and turns the normal
+/// by less than a slope of 0.3. Neighbours that do
 /// not determine a quadratic polynomial give the one with the least coefficients: two rows of points along a cylinder
 /// show no curvature along it. Heights of no more than `tolerance` are zero. Neighbours that lie on one line, or none,
 /// give a plane.

@@ -11,7 +11,9 @@ constexpr std::size_t fewest_points_of_side = 8;
 constexpr std::size_t fewest_points_by_normal = 6;
 constexpr int most_rings_of_side = 2;
 constexpr double least_cosine_of_side = 0.2;          ///< to the triangle at the edge: the surface folds beyond
+constexpr double least_cosine_of_near_side = 0.5;     ///< no parabola is like a circle beyond
 constexpr double largest_cosine_of_fold = 0.8660254;  ///< 30 degrees: an edge that turns by less is no end of a side
+constexpr double cosine_of_coarsest_circle = 0.64;    ///< 50 degrees: of eight edges, not quite regular
 constexpr double smallest_eigenvalue_of_side = 2e-3;  ///< of scaled normal equations: what is smaller is not determined
 constexpr double nearest_of_side = 0.04;  ///< squared, as a share of the farthest: nearer points do not weigh more
 
@@ -54,39 +56,53 @@ JumpFinder::JumpFinder(const Facets& facets, std::span<const EdgePair> pairs, st
   }
 }
 
+// Turning the other way than the triangles do is no ridge: a parabola turns by more than a circle does. On coarse
+// meshes no choice of points is right everywhere: near ones may be too few, no parabola fits far ones, and where all
+// edges of a triangle turn by more than this one, its side has to go on across them. An edge is a ridge if all show it.
 double JumpFinder::jump_at(const EdgePair& pair) const {
-  const Vec3 a = normal_of_side(pair[0], pair[1]), b = normal_of_side(pair[1], pair[0]);
-  return std::atan2(norm(cross(a, b)), dot(a, b));
+  return std::min({jump_at(pair, Reach::near), jump_at(pair, Reach::far), jump_at(pair, Reach::across_edges)});
+}
+
+double JumpFinder::jump_at(const EdgePair& pair, Reach reach) const {
+  const Vec3 a = normal_of_side(pair[0], pair[1], reach), b = normal_of_side(pair[1], pair[0], reach);
+  const Vec3 &m = normals_[pair[0].triangle], &n = normals_[pair[1].triangle], axis = cross(m, n), turn = cross(a, b);
+  const double size = dot(m, n) > 0 ? dot(turn, axis) / norm(axis) : norm(turn);  // a fold has no sense
+  return std::atan2(size, dot(a, b));
 }
 
 // Triangles of a side have normals that are, seen along the edge, nearer to that of this side's triangle than to the
 // other's: so a side does not go around the end of the edge, whether the ridge goes on there or not. Where the surface
 // bends to and fro, this leaves too few; then those count that lie on this side of the edge.
-std::vector<VertexId> JumpFinder::points_of_side(const EdgeUse& side, const EdgeUse& other) const {
+std::vector<VertexId> JumpFinder::points_of_side(const EdgeUse& side, const EdgeUse& other, Reach reach) const {
   const Vec3 &own = normals_[side.triangle], &opposite = normals_[other.triangle];
   const Vec3& origin = facets_.points[side.edge[0]];
   const Vec3 along = facets_.points[side.edge[1]] - origin, middle = own + opposite;
   const Vec3 apart = own - opposite, to_own_normal = apart - dot(apart, along) / dot(along, along) * along,
              to_side = cross(along, middle);
-  auto by_normal = grown(side, other, [&](TriangleId t) { return dot(normals_[t], to_own_normal) >= 0; });
-  if (by_normal.size() >= fewest_points_by_normal) return by_normal;
   const auto place = [&](TriangleId t) {
     const auto [a, b, c] = places_of(facets_, t);
     return dot(to_side, a + b + c - 3 * origin);
   };
   const bool is_positive = place(side.triangle) > 0;
-  return grown(side, other, [&](TriangleId t) { return (place(t) > 0) == is_positive; });
+  const auto is_by_normal = [&](TriangleId t) { return dot(normals_[t], to_own_normal) >= 0; };
+  const auto is_by_place = [&](TriangleId t) { return (place(t) > 0) == is_positive; };
+  const double cosine = dot(own, opposite),
+               clearly_sharper = std::min(cosine * std::abs(cosine), largest_cosine_of_fold);
+  const Bounds bounds = {reach == Reach::near ? least_cosine_of_near_side : least_cosine_of_side, clearly_sharper};
+  auto points = grown(side, other, bounds, is_by_normal);
+  if (points.size() < fewest_points_by_normal) points = grown(side, other, bounds, is_by_place);
+  if (points.size() >= fewest_points_by_normal || reach != Reach::across_edges) return points;
+  return grown(side, other, {least_cosine_of_side, std::min(clearly_sharper, cosine_of_coarsest_circle)}, is_by_place);
 }
 
 // Ring by ring around the points so far, and not across edges that turn by clearly more than this one.
 template <class IsOfSide>
-std::vector<VertexId> JumpFinder::grown(const EdgeUse& side, const EdgeUse& other, IsOfSide is_of_side) const {
+std::vector<VertexId> JumpFinder::grown(const EdgeUse& side, const EdgeUse& other, const Bounds& bounds,
+                                        IsOfSide is_of_side) const {
   const Vec3& own = normals_[side.triangle];
-  const double cosine = dot(own, normals_[other.triangle]);
-  const double sharper = std::min(cosine * std::abs(cosine), largest_cosine_of_fold);
   const auto may_enter = [&](TriangleId from, TriangleId to) {
-    return to != none && to != other.triangle && dot(normals_[to], own) >= least_cosine_of_side &&
-           dot(normals_[to], normals_[from]) >= sharper && is_of_side(to);
+    return to != none && to != other.triangle && dot(normals_[to], own) >= bounds.to_first &&
+           dot(normals_[to], normals_[from]) >= bounds.to_previous && is_of_side(to);
   };
   std::vector<TriangleId> triangles{side.triangle};
   std::vector<VertexId> points(facets_.triangles[side.triangle].begin(), facets_.triangles[side.triangle].end());
@@ -105,10 +121,10 @@ std::vector<VertexId> JumpFinder::grown(const EdgeUse& side, const EdgeUse& othe
   return points;
 }
 
-Vec3 JumpFinder::normal_of_side(const EdgeUse& side, const EdgeUse& other) const {
+Vec3 JumpFinder::normal_of_side(const EdgeUse& side, const EdgeUse& other, Reach reach) const {
   const Vec3 &a = facets_.points[side.edge[0]], &b = facets_.points[side.edge[1]], &normal = normals_[side.triangle];
   std::vector<Vec3> offsets;
-  for (const VertexId v : points_of_side(side, other)) offsets.push_back(facets_.points[v] - 0.5 * (a + b));
+  for (const VertexId v : points_of_side(side, other, reach)) offsets.push_back(facets_.points[v] - 0.5 * (a + b));
   const double length = norm(b - a);
   if (!(length > 0)) return normal;
   const Vec3 e = 1 / length * (b - a), f = cross(normal, e);

@@ -19,14 +19,23 @@ public:
   JumpFinder(const Facets& facets, std::span<const EdgePair> pairs, std::span<const Vec3> normals);
 
   /// The angle in radians between the normals at the middle of the edge of quadrics fitted to the points on either
-  /// side.
+  /// side, in the sense in which the triangles turn there: negative if the quadrics turn the other way.
   [[nodiscard]] double jump_at(const EdgePair& pair) const;
 
 private:
-  [[nodiscard]] std::vector<VertexId> points_of_side(const EdgeUse& side, const EdgeUse& other) const;
+  /// The least cosines between normals of a side: of a triangle to that at the edge, and to the one before it.
+  struct Bounds {
+    double to_first, to_previous;
+  };
+
+  enum class Reach { near, far, across_edges };  ///< of a side
+
+  [[nodiscard]] double jump_at(const EdgePair& pair, Reach reach) const;
+  [[nodiscard]] std::vector<VertexId> points_of_side(const EdgeUse& side, const EdgeUse& other, Reach reach) const;
   template <class IsOfSide>
-  [[nodiscard]] std::vector<VertexId> grown(const EdgeUse& side, const EdgeUse& other, IsOfSide is_of_side) const;
-  [[nodiscard]] Vec3 normal_of_side(const EdgeUse& side, const EdgeUse& other) const;
+  [[nodiscard]] std::vector<VertexId> grown(const EdgeUse& side, const EdgeUse& other, const Bounds& bounds,
+                                            IsOfSide is_of_side) const;
+  [[nodiscard]] Vec3 normal_of_side(const EdgeUse& side, const EdgeUse& other, Reach reach) const;
 
   const Facets& facets_;
   std::span<const Vec3> normals_;

@@ -7,6 +7,7 @@ namespace taut {
 namespace {
 
 constexpr double least_cosine_of_turn = 0.70710678;
+constexpr std::size_t most_edges_of_gap = 3;
 
 class RidgeTracer {
 public:
@@ -27,15 +28,20 @@ public:
     for (const VertexId v : ids<VertexId>(borders_at_.size())) borders_at_[v] -= pairs_at_[v].size();
   }
 
-  /// From `v`, for as long as it is the end of one ridge.
+  /// From `v`, if it is the end of one ridge, to the next ridge or to a border.
   void follow(VertexId v) {
-    while (true) {
-      const Index ridge = single_ridge_at(v);
-      if (ridge == none) return;
-      const Index next = continuation(ridge, v);
-      if (next == none) return;
-      parting_[next] = Parting::by_shape;
-      v = beyond(next, v);
+    Index ridge = single_ridge_at(v);
+    std::vector<Index> gap;
+    while (ridge != none) {
+      ridge = gap.size() < most_edges_of_gap ? continuation(ridge, v) : none;
+      if (ridge == none) {
+        for (const Index e : gap) parting_[e] = Parting::smooth;
+        return;
+      }
+      parting_[ridge] = Parting::by_shape;
+      gap.push_back(ridge);
+      v = beyond(ridge, v);
+      if (single_ridge_at(v) != ridge) return;
     }
   }
 

@@ -10,7 +10,8 @@
 namespace taut {
 namespace {
 
-constexpr int longest_spoke = 2;
+constexpr int longest_spoke = 3;
+constexpr std::size_t most_vertices_of_stray = 3;  ///< two edges that nothing continues at either end
 constexpr std::size_t most_vertices_of_spokes = 32;
 
 bool holds_vertex(std::span<const VertexId> vertices, VertexId v) {
@@ -88,11 +89,13 @@ void drop_spokes(const Facets& facets, std::span<const EdgePair> pairs, std::vec
              return is_apex[v] != 0 && are_around(tree.vertices, v, facets, triangles_at);
            });
   };
-  const auto is_single_edge = [](const RidgeTree& tree) { return tree.ends == 2 && tree.vertices.size() == 2; };
+  const auto is_short = [](const RidgeTree& tree) {
+    return tree.ends == 2 && tree.vertices.size() <= most_vertices_of_stray;
+  };
   auto trees = connected_ridges(connected, pairs, parting, borders(facets, pairs, triangles_at));
   std::erase_if(trees, [&](const auto& entry) {
     const RidgeTree& tree = entry.second;
-    return tree.is_given || !(is_spokes(tree) || is_single_edge(tree));
+    return tree.is_given || !(is_spokes(tree) || is_short(tree));
   });
   for (std::size_t e = 0; e < pairs.size(); ++e)
     if (parting[e] == Parting::by_shape && trees.contains(connected.root(pairs[e][0].edge[0])))

@@ -109,6 +109,20 @@ TEST(ReferenceSurface, IsACylinder) {
   });
 }
 
+/// Three rows of points that are not quite straight, along which a polynomial of degree 3 has any slope.
+TEST(ReferenceSurface, IsACylinderOfTwoRows) {
+  for (const Index n : {10U, 14U, 18U, 24U})
+    for (const unsigned seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+      const double a = 2 * std::numbers::pi;
+      const Mesh mesh = test::sheet({.nu = n, .nv = 2, .is_closed_in_u = true, .jitter = 0.02, .seed = seed},
+                                    [&](double u, double v) {
+                                      return Vec3{std::cos(a * u), std::sin(a * u), 2 * a / n * v};
+                                    });
+      const Errors errors = errors_of(reference_of(mesh), [](const Vec3& x) { return std::hypot(x[0], x[1]) - 1; });
+      EXPECT_LT(errors.worst, 0.15 * (1 - std::cos(a / 2 / n))) << n << ' ' << seed;
+    }
+}
+
 TEST(ReferenceSurface, IsExactOnPlanesAndStraightLines) {
   for (const Mesh& plain : {test::cube(4), test::l_shape(6), test::roof(6, 20)}) {
     const Mesh mesh = test::askew(plain);

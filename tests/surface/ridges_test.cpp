@@ -61,18 +61,39 @@ TEST(Ridges, NoneOnCoarseSpheres) {
   }
 }
 
+/// Of 40 to 60 degrees an edge, where quadrics of the sides turn further than the triangles.
+TEST(Ridges, NoneOnVeryCoarseSpheres) {
+  for (const unsigned seed : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U})
+    EXPECT_TRUE(ridges_of(surface_alone(test::sphere(3, seed))).empty()) << seed;
+  for (const unsigned seed : {1U, 2U, 3U, 4U, 5U, 6U, 8U})
+    EXPECT_TRUE(ridges_of(surface_alone(test::sphere(2, seed))).empty()) << seed;
+}
+
+/// A few edges look like ridges; these are not followed along the long rows of triangles.
+TEST(Ridges, FewOnATorusOfLongTriangles) {
+  for (const unsigned seed : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U})
+    EXPECT_LT(ridges_of(test::torus(24, seed, 0.4)).size(), 20U) << seed;
+}
+
 TEST(Ridges, NoneOnATube) {
   EXPECT_TRUE(ridges_of(test::tube(40, 16)).empty());
 }
 
 TEST(Ridges, OfRoofs) {
-  for (const double angle : {20.0, 30.0, 60.0}) {
+  for (const double angle : {20.0, 30.0, 60.0, 100.0, 150.0, 170.0}) {
     const Mesh mesh = test::roof(6, angle);
     const auto border = ridges_of(mesh, 179);
     EXPECT_EQ(without(ridges_of(mesh), border), edges_between(mesh, [](const Point& p) { return p[0] == 0.5; }));
   }
   const Mesh flat = test::roof(6, 12);
   EXPECT_EQ(ridges_of(flat), ridges_of(flat, 179));
+}
+
+TEST(Ridges, OfASheetFoldedBack) {
+  const Mesh mesh = test::sheet({.nu = 6, .nv = 6, .fixed_u = 3}, [](double u, double v) {
+    return Vec3{std::abs(u - 0.5), v, 0};
+  });
+  EXPECT_EQ(ridges_of(mesh).size(), 24U + 6);
 }
 
 /// Triangles turn by more than the ridge does, at the ridge and elsewhere.
@@ -98,6 +119,10 @@ TEST(Ridges, OfACylinderAreItsRims) {
 TEST(Ridges, NoneAtTheTipOfACone) {
   for (const unsigned seed : {1U, 2U, 3U}) {
     const Mesh mesh = test::cone(12, 1.5, seed);
+    EXPECT_EQ(ridges_of(mesh), ridges_of(mesh, 179)) << seed;
+  }
+  for (const unsigned seed : {16U, 25U, 38U}) {  // with ridges on three rings of triangles, or with closed ones
+    const Mesh mesh = test::cone(12, 2, seed);
     EXPECT_EQ(ridges_of(mesh), ridges_of(mesh, 179)) << seed;
   }
 }
