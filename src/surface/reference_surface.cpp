@@ -8,6 +8,7 @@
 #include "metric/cholesky.hpp"
 #include "surface/apexes.hpp"
 #include "surface/closest_on_cubic.hpp"
+#include "surface/cone_jets.hpp"
 #include "surface/cubic_patches.hpp"
 #include "surface/sector_jets.hpp"
 
@@ -61,7 +62,8 @@ ReferenceSurface::ReferenceSurface(SurfaceInput input, std::optional<double> ang
   const SplitEdges edges = split_at_ridges(facets_, input.refs, input.edges, angle);
   const Sectors sectors = find_sectors(facets_.triangles, edges.smooth);
   const auto is_apex = find_apexes(facets_, sectors, edges.ridges);
-  const std::vector<Derivatives> jets = sector_jets(facets_, sectors, tolerance);
+  std::vector<Derivatives> jets = sector_jets(facets_, sectors, tolerance);
+  set_cone_jets(facets_, sectors, is_apex, jets);
   RidgeCurves ridges = find_ridge_curves(facets_.points, edges.ridges, input.is_corner, angle);
   const RidgesOfTriangles ridges_of = ridges_of_triangles(facets_.triangles, edges.ridges);
 

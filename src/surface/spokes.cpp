@@ -1,8 +1,10 @@
 #include "surface/spokes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
+#include <numbers>
 
 #include "base/disjoint_sets.hpp"
 #include "surface/apexes.hpp"
@@ -13,6 +15,8 @@ namespace {
 constexpr int longest_spoke = 3;
 constexpr std::size_t most_vertices_of_stray = 3;  ///< two edges that nothing continues at either end
 constexpr std::size_t most_vertices_of_spokes = 32;
+constexpr double most_bend_of_cone =
+    5 * std::numbers::pi / 180;  ///< from one ring of vertices around its tip to the next
 
 bool holds_vertex(std::span<const VertexId> vertices, VertexId v) {
   return std::find(vertices.begin(), vertices.end(), v) != vertices.end();
@@ -56,20 +60,67 @@ std::map<std::uint32_t, RidgeTree> connected_ridges(DisjointSets& connected, std
   return found;
 }
 
-/// Whether all vertices are within two edges of the centre.
-bool are_around(std::span<const VertexId> vertices, VertexId centre, const Facets& facets,
-                const Buckets<TriangleId>& triangles_at) {
-  std::vector<VertexId> reached{centre};
-  std::size_t begin = 0;
-  for (int ring = 0; ring < longest_spoke; ++ring) {
-    const std::size_t end = reached.size();
-    for (std::size_t i = begin; i < end; ++i)
-      for (const TriangleId t : triangles_at[reached[i]])
+/// The centre, the vertices at one edge from it, at two edges, and so on.
+using Ring = std::vector<VertexId>;
+std::vector<Ring> rings_around(VertexId centre, std::size_t rings, const Facets& facets,
+                               const Buckets<TriangleId>& triangles_at) {
+  std::vector<Ring> found{{centre}};
+  Ring reached{centre};
+  while (found.size() <= rings) {
+    Ring next;
+    for (const VertexId from : found.back())
+      for (const TriangleId t : triangles_at[from])
         for (const VertexId v : facets.triangles[t])
-          if (!holds_vertex(reached, v)) reached.push_back(v);
-    begin = end;
+          if (!holds_vertex(reached, v)) reached.push_back(v), next.push_back(v);
+    found.push_back(std::move(next));
   }
-  return std::all_of(vertices.begin(), vertices.end(), [&](VertexId v) { return holds_vertex(reached, v); });
+  return found;
+}
+
+/// Number of rings that hold all of the vertices; more than there are if they do not.
+std::size_t rings_with(const std::vector<Ring>& rings, std::span<const VertexId> vertices) {
+  std::size_t left = vertices.size(), count = 0;
+  for (; left > 0 && count < rings.size(); ++count)
+    left -= static_cast<std::size_t>(
+        std::count_if(vertices.begin(), vertices.end(), [&](VertexId v) { return holds_vertex(rings[count], v); }));
+  return left > 0 ? rings.size() + 1 : count;
+}
+
+Vec3 direction(const Vec3& from, const Vec3& to) {
+  const Vec3 d = to - from;
+  const double length = norm(d);
+  return length > 0 ? 1 / length * d : Vec3{};
+}
+
+/// Of the cone through the neighbours of the apex: perpendicular to the polygon that their directions make.
+Vec3 axis_at(VertexId apex, const Facets& facets, const Buckets<TriangleId>& triangles_at) {
+  Vec3 axis{};
+  for (const TriangleId t : triangles_at[apex]) {
+    const Corners& v = facets.triangles[t];
+    const auto k = static_cast<std::size_t>(std::find(v.begin(), v.end(), apex) - v.begin());
+    const Vec3& x = facets.points[apex];
+    axis = axis + cross(direction(x, facets.points[v[(k + 1) % 3]]), direction(x, facets.points[v[(k + 2) % 3]]));
+  }
+  return direction({}, axis);
+}
+
+double mean_angle(std::span<const VertexId> vertices, const Vec3& apex, const Vec3& axis, const Facets& facets) {
+  double sum = 0;
+  for (const VertexId v : vertices) sum += std::acos(std::clamp(dot(axis, direction(apex, facets.points[v])), -1., 1.));
+  return sum / static_cast<double>(vertices.size());
+}
+
+/// Whether ridges that are not connected to others are edges of the few triangles at the tip of a cone: what is beyond
+/// them is seen from there at the same angle from the axis. On a pyramid that stands on a surface it is not, and around
+/// a solid of a few triangles there is nothing beyond.
+bool is_tip(const RidgeTree& tree, const std::vector<Ring>& rings, const Facets& facets,
+            const Buckets<TriangleId>& triangles_at) {
+  const std::size_t beyond = rings_with(rings, tree.vertices);
+  if (beyond >= rings.size() || rings[beyond].size() < rings[1].size()) return false;
+  const VertexId apex = rings[0][0];
+  const Vec3 axis = axis_at(apex, facets, triangles_at);
+  const auto angle = [&](const Ring& ring) { return mean_angle(ring, facets.points[apex], axis, facets); };
+  return std::abs(angle(rings[beyond]) - angle(rings[1])) < most_bend_of_cone;
 }
 
 }  // namespace
@@ -84,9 +135,12 @@ void drop_spokes(const Facets& facets, std::span<const EdgePair> pairs, std::vec
   const auto is_apex = find_apexes(facets, find_sectors(facets.triangles, not_given), {});
   const auto triangles_at = triangles_of_vertices(facets);
   const auto is_spokes = [&](const RidgeTree& tree) {
-    return tree.ends > 0 && tree.vertices.size() <= most_vertices_of_spokes &&
+    return tree.vertices.size() <= most_vertices_of_spokes &&
            std::any_of(tree.vertices.begin(), tree.vertices.end(), [&](VertexId v) {
-             return is_apex[v] != 0 && are_around(tree.vertices, v, facets, triangles_at);
+             if (is_apex[v] == 0) return false;
+             const std::vector<Ring> rings = rings_around(v, longest_spoke, facets, triangles_at);
+             const bool ends_nearby = tree.ends > 0 && rings_with(rings, tree.vertices) <= rings.size();
+             return ends_nearby || is_tip(tree, rings, facets, triangles_at);
            });
   };
   const auto is_short = [](const RidgeTree& tree) {

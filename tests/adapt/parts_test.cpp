@@ -43,6 +43,18 @@ TEST_P(Parts, StayWhatTheyAre) {
   }
 }
 
+class PartGeometry : public ::testing::TestWithParam<Part> {};
+
+/// Vertices of coarse spheres next to a ridge look like tips.
+TEST_P(PartGeometry, HasTheCornersOfThePart) {
+  const Mesh in = mesh_of(GetParam());
+  std::set<Point> on_surface;
+  for (const Index p : surface_points(in)) on_surface.insert(in.points[p]);
+  const auto corners = std::ranges::count_if(corners_of(in), [&](const Point& p) { return on_surface.contains(p); });
+  const int tips = GetParam().name == "cone" ? 1 : 0;
+  EXPECT_EQ(Geometry(in).corners(), static_cast<std::size_t>(corners + tips));
+}
+
 std::string letters_of(std::string name) {
   std::ranges::replace(name, '-', '_');
   return name;
@@ -52,6 +64,9 @@ Part part_of(const std::string& name) {
   const std::vector<Part> all = parts();
   return *std::ranges::find(all, name, &Part::name);
 }
+
+INSTANTIATE_TEST_SUITE_P(FromCad, PartGeometry, ::testing::ValuesIn(parts()),
+                         [](const auto& of) { return letters_of(of.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(FromCad, Parts,
                          ::testing::Combine(::testing::ValuesIn(parts()),

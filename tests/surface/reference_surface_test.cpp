@@ -188,6 +188,31 @@ TEST(ReferenceSurface, IsACone) {
   EXPECT_LT(errors.mean, 2e-4);
 }
 
+/// Where the curvature grows with 1 over the distance from the apex, polynomials would not find it.
+TEST(ReferenceSurface, IsCurvedAsAConeNextToItsApex) {
+  for (const Index sides : {3U, 5U}) {
+    const ReferenceSurface surface = reference_of(test::cone(12, 1.5, 3, sides));
+    int found = 0;
+    for (const TriangleId t : ids<TriangleId>(surface.facets().triangles.size())) {
+      const Corners& v = surface.facets().triangles[t];
+      if (std::ranges::find(v, VertexId{0}) == v.end()) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (v[k] == VertexId{0}) continue;
+        OnPatch at;
+        at.triangle = t, at.weights = {0, 0, 0}, at.weights[k] = 1;
+        const Vec3& x = surface.facets().points[v[k]];
+        const double r = std::hypot(x[0], x[1]), expected = 1.5 / std::hypot(1, 1.5) / r;
+        const Vec3 around = {-x[1] / r, x[0] / r, 0};
+        const Sym3 shape = surface.shape_operator(at);
+        EXPECT_NEAR(quadratic_form(shape, around), expected, 1e-9 * expected);
+        EXPECT_NEAR(norm(shape * x) - expected * std::abs(dot(around, x)), 0, 1e-9);
+        ++found;
+      }
+    }
+    EXPECT_EQ(found, static_cast<int>(2 * sides));
+  }
+}
+
 TEST(ReferenceSurface, HasCornersOnRidgesWhereTheInputSaysSo) {
   Mesh mesh = test::cylinder(6, 1, 2);
   for (Index p = 0; p < mesh.points.size(); ++p)

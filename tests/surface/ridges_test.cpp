@@ -127,6 +127,14 @@ TEST(Ridges, NoneAtTheTipOfACone) {
   }
 }
 
+/// All edges of the triangles there turn sharply.
+TEST(Ridges, NoneAtATipOfThreeTriangles) {
+  for (const unsigned seed : {1U, 2U, 3U, 4U, 5U}) {
+    const Mesh mesh = test::cone(12, 1.5, seed, 3);
+    EXPECT_EQ(ridges_of(mesh), ridges_of(mesh, 179)) << seed;
+  }
+}
+
 TEST(Ridges, OfACubeWithTwoTrianglesASide) {
   Mesh mesh = surface_alone(test::cube(1));
   mesh.triangle_refs.clear();

@@ -73,9 +73,9 @@ inline Mesh lens(Index n, double angle) {
   });
 }
 
-/// The side of a cone of this height over the unit circle: rings of points, in the k-th of them 5 k, around the apex,
-/// which is point 0.
-inline Mesh cone(Index rings, double height, unsigned seed = 3) {
+/// The side of a cone of this height over the unit circle: rings of points, in the k-th of them `sides` k, around
+/// the apex, which is point 0.
+inline Mesh cone(Index rings, double height, unsigned seed = 3, Index sides = 5) {
   Random random(seed);
   Mesh mesh;
   mesh.points = {{0, 0, height}};
@@ -85,15 +85,15 @@ inline Mesh cone(Index rings, double height, unsigned seed = 3) {
     first.push_back(static_cast<Index>(mesh.points.size()));
     turns.emplace_back();
     const double r = (k + (k < rings ? 0.1 * random.uniform(-1, 1) : 0)) / rings;
-    for (Index i = 0; i < 5 * k; ++i) {
-      turns[k].push_back((i + 0.2 * random.uniform(-1, 1)) / (5 * k));
+    for (Index i = 0; i < sides * k; ++i) {
+      turns[k].push_back((i + 0.2 * random.uniform(-1, 1)) / (sides * k));
       const double a = 2 * std::numbers::pi * turns[k][i];
       mesh.points.push_back({r * std::cos(a), r * std::sin(a), height * (1 - r)});
     }
   }
-  for (Index i = 0; i < 5; ++i) mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % 5});
+  for (Index i = 0; i < sides; ++i) mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % sides});
   for (Index k = 1; k < rings; ++k) {
-    const Index inner = 5 * k, outer = 5 * (k + 1);
+    const Index inner = sides * k, outer = sides * (k + 1);
     const auto turn = [&](Index ring, Index count, Index i) { return turns[ring][i % count] + i / count; };
     for (Index i = 0, o = 0; i < inner || o < outer;) {
       const Index a = first[k] + i % inner, b = first[k + 1] + o % outer;
