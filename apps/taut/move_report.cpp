@@ -23,6 +23,7 @@ Json json_of_step(const MoveStep& step) {
           {"share", step.done.share},
           {"obstacle", step.done.obstacle ? json_of_obstacle(*step.done.obstacle) : Json()},
           {"parts", step.done.parts},
+          {"off_surface", step.done.off_surface},
           {"iterations", step.done.iterations},
           {"vertices", q.vertices},
           {"tetrahedra", q.tetrahedra},

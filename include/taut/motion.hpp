@@ -93,6 +93,7 @@ struct Advance {
   int parts = 0;                     ///< in which the step was done
   int iterations = 0;                ///< of the linear solver, in all parts
   bool is_changed = false;           ///< whether anything but places of vertices has changed: tetrahedra, numbers
+  std::size_t off_surface = 0;       ///< vertices that are not on the geometry that was given, as Report::off_surface
   std::vector<Index> new_of_old;     ///< for each point before, its index now, or AdaptResult::gone
   std::vector<PassReport> passes;    ///< of optimisation, in all parts
   std::vector<std::pair<std::string, double>> seconds;  ///< by phase: "solve", "move", "optimise", "transfer", "result"

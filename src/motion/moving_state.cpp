@@ -8,6 +8,7 @@
 #include "adapt/setup.hpp"
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
+#include "geometry/off_surface.hpp"
 #include "motion/numbering.hpp"
 #include "motion/obstacle.hpp"
 #include "motion/rigid_moves.hpp"
@@ -109,6 +110,7 @@ bool MovingState::do_part(const Goal& goal, std::span<const int> bodies, Advance
   // Points that the caller moves keep their numbers until they have arrived.
   const bool vertices_may_change = options.changes == MeshChanges::all && (!goal.motions.empty() || done.share == 1);
   if (options.changes != MeshChanges::nothing) optimise(vertices_may_change, done);
+  done.off_surface = vertices_off_surface(session_.mesh, session_.model).size();
   ++done.parts;
   return true;
 }

@@ -52,6 +52,17 @@ TEST(GivenGeometry, IsCarriedWithABallThatTravelsAndTurns) {
     }
 }
 
+TEST(GivenGeometry, CountsWhatIsOffIt) {
+  const Geometry geometry(fine_ball());
+  const Mesh start = coarse_ball();
+  const auto off_after = [&](MeshChanges changes) {
+    MovingMesh mesh(start, Sizes(start.points.size(), 0.12), on(geometry, changes, 0));
+    return mesh.advance(std::array{BodyMotion{body, RigidMotion::translation({0.015, 0.01, 0.005})}}).off_surface;
+  };
+  EXPECT_GT(off_after(MeshChanges::nothing), 0U) << "only rounds bring vertices onto it";
+  EXPECT_EQ(off_after(MeshChanges::flips), 0U);
+}
+
 TEST(GivenGeometry, LeavesWhatDoesNotMoveWhereItIs) {
   const Mesh hill = vault(room(9, 0.15));
   Mesh fine = hill;

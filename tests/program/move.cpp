@@ -86,6 +86,7 @@ TEST_F(Move, ReportsEachStep) {
     EXPECT_EQ(step["step"], n);
     EXPECT_EQ(step["share"], 1);
     EXPECT_EQ(step["parts"] > 0, n > 0);
+    EXPECT_EQ(step["off_surface"], 0);
     EXPECT_EQ(step["iterations"] > 0, n > 0);
     for (const char* measure : {"tau", "Q_max", "Q_up_to_3", "unit_edges"}) EXPECT_GT(step[measure], 0) << measure;
     EXPECT_EQ(step["seconds"].contains("solve"), n > 0);
