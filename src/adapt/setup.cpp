@@ -15,13 +15,13 @@
 #include "sizing/complexity.hpp"
 #include "sizing/limits.hpp"
 #include "sizing/surface_curvatures.hpp"
+#include "surface/ridge_angle.hpp"
 #include "taut/sizing.hpp"
 
 namespace taut {
 void require_options(const AdaptOptions& o) {
   require_limits(o.limits);
-  if (o.ridge_angle && !(*o.ridge_angle > 0 && *o.ridge_angle < 180))
-    throw InputError(fmt::format("ridge angle {} found, expected between 0 and 180 degrees", *o.ridge_angle));
+  if (o.ridge_angle) require_ridge_angle(*o.ridge_angle);
   if (!(o.deviation >= 0 && std::isfinite(o.deviation)))
     throw InputError(fmt::format("deviation {} found, expected 0 or more", o.deviation));
   if (o.deviation > 0 && o.surface != Surface::adapt)

@@ -109,8 +109,10 @@ bool MovingState::do_part(const Goal& goal, std::span<const int> bodies, Advance
   done.share += reach.share;
   // Points that the caller moves keep their numbers until they have arrived.
   const bool vertices_may_change = options.changes == MeshChanges::all && (!goal.motions.empty() || done.share == 1);
-  if (options.changes != MeshChanges::nothing) optimise(vertices_may_change, done);
-  done.off_surface = vertices_off_surface(session_.mesh, session_.model).size();
+  if (options.changes != MeshChanges::nothing)
+    optimise(vertices_may_change, done);
+  else
+    done.off_surface = vertices_off_surface(session_.mesh, session_.model).size();
   ++done.parts;
   return true;
 }
@@ -154,6 +156,7 @@ void MovingState::optimise(bool vertices_may_change, Advance& done) {
               .swap_period = 1},
              options.adaptation.progress, report);
   for (const PassReport& pass : report.passes) done.passes.push_back(pass);
+  done.off_surface = report.off_surface;
   add_seconds(done, "optimise", watch.seconds());
   renew_mesh(done);
 }

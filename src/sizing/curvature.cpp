@@ -5,6 +5,7 @@
 
 #include "sizing/limits.hpp"
 #include "sizing/surface_curvatures.hpp"
+#include "surface/ridge_angle.hpp"
 #include "taut/error.hpp"
 #include "taut/sizing.hpp"
 
@@ -17,8 +18,7 @@ void require(const CurvatureOptions& o) {
     throw InputError(fmt::format("deviation {} found, expected a number above 0", o.deviation));
   if (!(o.turn > 0 && o.turn <= 90))
     throw InputError(fmt::format("turn {} found, expected degrees above 0, at most 90", o.turn));
-  if (!(o.ridge_angle > 0 && o.ridge_angle < 180))
-    throw InputError(fmt::format("ridge angle {} found, expected between 0 and 180 degrees", o.ridge_angle));
+  require_ridge_angle(o.ridge_angle);
 }
 
 }  // namespace

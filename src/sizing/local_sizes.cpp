@@ -21,6 +21,7 @@
 #include "sizing/limits.hpp"
 #include "sizing/surface_curvatures.hpp"
 #include "sizing/truncation.hpp"
+#include "surface/ridge_angle.hpp"
 #include "surface/surface_input.hpp"
 #include "taut/error.hpp"
 
@@ -70,8 +71,7 @@ void require_sound(const LocalSizes& sizes) {
   all("edges", sizes.edges);
   all("triangles", sizes.triangles);
   all("tetrahedra", sizes.tetrahedra);
-  if (!(sizes.ridge_angle > 0 && sizes.ridge_angle < 180))
-    throw InputError(fmt::format("ridge angle {} found, expected between 0 and 180 degrees", sizes.ridge_angle));
+  require_ridge_angle(sizes.ridge_angle);
 }
 
 /// What all entities at a point want.

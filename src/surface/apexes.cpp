@@ -24,8 +24,8 @@ double tilt_between(const Vec3& a, const Vec3& b) {
   return std::atan2(norm(cross(a, b)), dot(a, b));
 }
 
-std::vector<Tilts> tilts_of(const Facets& facets, const Sectors& sectors) {
-  const std::vector<Vec3> normals = max_normals(facets, sectors), flat = unit_normals(facets);
+std::vector<Tilts> tilts_of(const Facets& facets, const Sectors& sectors, std::span<const Vec3> normals) {
+  const std::vector<Vec3> flat = unit_normals(facets);
   std::vector<Tilts> tilts(sectors.vertices.size());
   for (const TriangleId t : ids<TriangleId>(facets.triangles.size())) {
     const auto& of = sectors.of_triangle[t];
@@ -45,11 +45,8 @@ std::vector<Tilts> tilts_of(const Facets& facets, const Sectors& sectors) {
 /// Whether the vertices two edges away are seen from a sector about as steeply as those one edge away.
 class ConeTest {
 public:
-  ConeTest(const Facets& facets, const Sectors& sectors)
-      : facets_(facets),
-        sectors_(sectors),
-        normals_(max_normals(facets, sectors)),
-        triangles_at_(triangles_of_vertices(facets)) {}
+  ConeTest(const Facets& facets, const Sectors& sectors, std::span<const Vec3> normals)
+      : facets_(facets), sectors_(sectors), normals_(normals), triangles_at_(triangles_of_vertices(facets)) {}
 
   [[nodiscard]] bool holds_at(std::uint32_t sector) const {
     std::vector<std::uint32_t> seen{sector};
@@ -86,7 +83,7 @@ private:
 
   const Facets& facets_;
   const Sectors& sectors_;
-  std::vector<Vec3> normals_;
+  std::span<const Vec3> normals_;
   Buckets<TriangleId> triangles_at_;
 };
 
@@ -105,9 +102,10 @@ void keep_sharpest(const Facets& facets, const Sectors& sectors, std::span<const
 }  // namespace
 
 std::vector<std::uint8_t> find_apexes(const Facets& facets, const Sectors& sectors, std::span<const RidgeEdge> ridges) {
-  const std::vector<Tilts> tilts = tilts_of(facets, sectors);
+  const std::vector<Vec3> normals = max_normals(facets, sectors);
+  const std::vector<Tilts> tilts = tilts_of(facets, sectors, normals);
   std::vector<std::uint8_t> is_apex(facets.points.size(), 0);
-  const ConeTest is_cone(facets, sectors);
+  const ConeTest is_cone(facets, sectors, normals);
   for (std::uint32_t s = 0; s < tilts.size(); ++s)
     if (tilts[s].least > least_tilt_at_apex && tilts[s].of_triangles > least_share_of_tilt * tilts[s].of_neighbours &&
         is_cone.holds_at(s))

@@ -6,21 +6,12 @@
 
 #include "surface/principal_curvatures.hpp"
 #include "surface/reference_surface.hpp"
+#include "surface/ridge_angle.hpp"
 #include "taut/error.hpp"
 
 namespace taut {
-namespace {
-
-void require(const GeometryOptions& options) {
-  const auto& angle = options.ridge_angle;
-  if (angle && !(*angle > 0 && *angle < 180))
-    throw InputError(fmt::format("ridge angle {} found, expected between 0 and 180 degrees", *angle));
-}
-
-}  // namespace
-
 Geometry::Geometry(const Mesh& mesh, const GeometryOptions& options) {
-  require(options);
+  if (options.ridge_angle) require_ridge_angle(*options.ridge_angle);
   surface_ = std::make_shared<const ReferenceSurface>(surface_of(mesh), options.ridge_angle);
 }
 
